@@ -1,8 +1,8 @@
 //! The retraction onto the constraints in the lanes of a vector, each by its own numbers.
 //!
-//! Only what is regular is done here: lanes whose constraints are clearly independent, in a few corrections
-//! with the factors of the state that was reached. A lane with something else is told from the result, and a
-//! motion of its own then takes the careful ways.
+//! Only regular lanes are handled here: their constraints are clearly independent, and a few corrections with
+//! the factors of the reached state suffice. The result tells which lanes are not regular. A motion of its
+//! own then takes the careful ways for such a lane.
 
 use super::Surface;
 use super::residuals::{Level, Residuals, ULPS};
@@ -12,8 +12,8 @@ use crate::system::footing::Apart;
 use crate::system::metric::Metric;
 use crate::system::state::State;
 
-/// How much further than necessary a lane stays from where lanes decide together: more than a retraction
-/// within the tolerance changes of the distance.
+/// The distance that a lane keeps from the states at which lanes would have to decide together, as a multiple
+/// of the necessary one: a retraction within the tolerance changes the distance by less.
 const AWAY: f64 = 2.0;
 
 /// Corrections of a level. Each leaves the square of the first.
@@ -37,8 +37,8 @@ where
     let metric = Metric::of(saddle);
     let slopes = metric.slopes(&equations.gradients);
     let mut residuals = system.residuals_at(state.t, &state.q, &state.v);
-    // How close gradients are to vanishing: what the coordinates make of a constraint, as a part of its
-    // summands.
+    // How close gradients are to vanishing: the contribution of the coordinates to a constraint, as a part of
+    // its summands.
     let extent = metric.extent(&state.q);
     for (&slope, &summands) in slopes.iter().zip(&residuals.position_sizes) {
         close = close.max(number(AWAY * CLEAR) * summands - slope * extent);
@@ -53,7 +53,7 @@ where
             let lack = residuals.values(level).map(|value| -value);
             let (change, _) = saddle.solve(&[num_traits::Zero::zero(); N], &lack);
             let numbers = if level == Level::Positions { &mut state.q } else { &mut state.v };
-            // A correction below an ulp is none.
+            // A correction below an ulp counts as none.
             let open = excess.min(metric.extent(&change) - S::Scalar::epsilon() * metric.extent(numbers));
             if correction == CORRECTIONS {
                 left = left.max(open);
@@ -74,7 +74,7 @@ where
     Some(Apart { accelerations, metric, left, close })
 }
 
-/// By how much residuals of a level are more than roundings of their summands.
+/// The excess of the residuals of a level over the rounding errors of their summands.
 #[inline(always)]
 fn excess<R: Real, const C: usize>(residuals: &Residuals<R, C>, level: Level) -> R {
     let ulps = R::from_f64(ULPS) * R::epsilon();

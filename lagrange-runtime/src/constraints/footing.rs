@@ -66,8 +66,9 @@ impl<S, const N: usize, const K: usize, const C: usize> Retraction<S, N, K, C>
 where
     S: Surface<N, K, C>,
 {
-    /// Whether the rows are as independent as the factors say, which are those of a state that was `reached`
-    /// beside the constraints: clearly, and by more than the way from there can have made of them.
+    /// Whether the rows are as independent as the factors say. The factors are those of a state that was
+    /// `reached` beside the constraints. The rows must be clearly independent, by more than the way from
+    /// there can have contributed.
     fn is_known_from(&self, reached: &State<S::Scalar, N>) -> bool {
         // One row depends on no other.
         if C == 1 {
@@ -83,10 +84,10 @@ where
     /// How well the constraints determine the state.
     ///
     /// The factors know how close rows are to each other, and the gradients how close they are to vanishing.
-    /// What is not far from either is measured: roundings of the constraint functions move the
-    /// coordinates by ε/σ, and what that makes of the gradients moves the velocities by ε/σ², with a σ
-    /// that is relative to how fast the gradients change. So the relative change of the velocities
-    /// tells σ, whether a row comes close to others or vanishes.
+    /// If either is close, the independence is measured. Rounding errors of the constraint functions move the
+    /// coordinates by ε/σ. The gradients then change, which moves the velocities by ε/σ², with a σ that is
+    /// relative to how fast the gradients change. So the relative change of the velocities tells σ, whether a
+    /// row comes close to others or vanishes.
     fn independence(&self, system: &S) -> Independence<S::Scalar> {
         let mut independence = self.nearness();
         if !independence.are_far_apart() {

@@ -10,7 +10,7 @@ use crate::system::name::Name;
 /// summands, and each is rounded once or twice.
 pub(super) const ULPS: f64 = 4.0;
 
-/// How far a state is off its constraints.
+/// The distance of a state from its constraints, as residuals and the sizes of their summands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Residuals<R, const C: usize> {
     /// f; zero for nonholonomic constraints.
@@ -23,7 +23,7 @@ pub struct Residuals<R, const C: usize> {
     pub rate_sizes: [R; C],
 }
 
-/// What is constrained: first the coordinates by f = 0, then the velocities by df/dt = 0 and g = 0.
+/// The level of a constraint: coordinates with f = 0 come first, then velocities with df/dt = 0 and g = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Level {
     Positions,
@@ -49,13 +49,13 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         }
     }
 
-    /// Whether nothing is left but roundings.
+    /// Whether all residuals are nothing but rounding errors.
     #[inline(always)]
     pub(super) fn are_roundings(&self) -> bool {
         self.level_is_roundings(Level::Positions) && self.level_is_roundings(Level::Velocities)
     }
 
-    /// Whether nothing is left of one level but roundings of its summands.
+    /// Whether the residuals of one level are nothing but rounding errors of their summands.
     #[inline(always)]
     pub(crate) fn level_is_roundings(&self, level: Level) -> bool {
         self.is_within(level, R::from_f64(ULPS) * R::epsilon(), &[R::zero(); C])
@@ -65,7 +65,7 @@ impl<R: Real, const C: usize> Residuals<R, C> {
     /// beside those of the summands.
     #[inline(always)]
     pub(crate) fn is_within(&self, level: Level, part: R, more: &[R; C]) -> bool {
-        // By pairs: an index would be tested against its bounds, and a firmware link the panic.
+        // Iterated by pairs: an index would be tested against its bounds, and a firmware link the panic.
         let sizes = self.sizes(level).iter().zip(more);
         self.values(level).iter().zip(sizes).all(|(&value, (&own, &more))| {
             let excess = value.abs() - part * (own + more);
@@ -73,7 +73,7 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         })
     }
 
-    /// The same as a call, which is smaller, for what is done once a motion.
+    /// The same as a call of its own, which is smaller: for checks that are made once a motion.
     #[cold]
     #[inline(never)]
     pub(super) fn is_within_apart(&self, level: Level, part: R, more: &[R; C]) -> bool {
@@ -86,7 +86,7 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         worst::<R, C>(|c| relative(self.values(level)[c], slopes[c])).1
     }
 
-    /// What is wrong where a search has led to a place at which a constraint has no gradient: where the
+    /// The cause of an error where a search has led to a place at which a constraint has no gradient. If the
     /// constraint is violated there, it cannot be met nearby.
     #[cold]
     pub(crate) fn unmet(&self, level: Level, cause: Cause) -> Cause {

@@ -263,8 +263,9 @@ where
         self.saddle.is_independent() || self.is_within(level, begun, part)
     }
 
-    /// Takes factors that belong to the constraints, where rows depend on each other on them but not beside
-    /// them: what such rows demand together beside them is no motion. Those of elsewhere do.
+    /// Takes factors that belong to the constraints, where rows depend on each other on the constraints but
+    /// not beside them. The factors of a state beside them would make such rows demand more than any motion
+    /// can do.
     #[cold]
     fn settle(&mut self, system: &S, level: Level) {
         if level == Level::Velocities {
@@ -282,10 +283,10 @@ where
         }
     }
 
-    /// Whether what is left to correct in the velocities is no more than what roundings of the constraint
-    /// functions make of it: then the velocities that a step has brought are the better ones. Beside a
-    /// configuration in which constraints depend on each other these roundings are large. Of rows that do
-    /// depend on each other a correction shows nothing, and a velocity that lacks half of its digits is
+    /// Whether the correction that is left for the velocities is within the effect of rounding errors of the
+    /// constraint functions. Then the velocities that a step has brought are the better ones. Beside a
+    /// configuration in which constraints depend on each other these rounding errors are large. If rows do
+    /// depend on each other, a correction shows nothing, and a velocity that lacks half of its digits is
     /// another one.
     #[cold]
     #[inline(never)]

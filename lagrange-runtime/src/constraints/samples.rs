@@ -1,4 +1,4 @@
-//! A constrained system by hand, which counts what it is asked for.
+//! A constrained system written by hand, which counts its evaluations.
 
 use core::cell::Cell;
 

@@ -1,5 +1,5 @@
-//! Accelerations where the stages of a method for ordinary differential equations lie: beside the
-//! constraints, and sometimes in a configuration in which these depend on each other.
+//! Accelerations at the stages of a method for ordinary differential equations. These lie beside the
+//! constraints, and sometimes in a configuration in which the constraints depend on each other.
 
 use super::residuals::Level;
 use super::retraction::{From, Retraction};
@@ -14,15 +14,15 @@ use crate::system::state::State;
 /// Accelerations of a state beside the constraints.
 ///
 /// * Where the rows of A are clearly independent they follow from the equations at the state itself.
-/// * Where they all but depend on each other, the equations beside the constraints have poles: what a state
-///   is off the constraints changes its accelerations by the reciprocal of the distance of the rows. The
-///   accelerations are those of the nearest state on the constraints: as good a continuation of the
-///   equations, and a smooth one. It costs three factorisations instead of one, so it is left out where rows
-///   are only close: the check of the step's end sees what poles do there.
-/// * Rows that depend on each other wherever the constraints hold are independent beside them, and what they
-///   then demand together is no motion. The nearest state on the constraints serves there too.
+/// * Where the rows all but depend on each other, the equations beside the constraints have poles: the
+/// distance of a state from the constraints changes its accelerations by the reciprocal of the distance of
+/// the rows. The accelerations are those of the nearest state on the constraints: as good a continuation of
+/// the equations, and a smooth one. It costs three factorisations instead of one, so it is left out where
+/// rows are only close: the check of the step's end sees the effect of poles there.
+/// * Rows that depend on each other wherever the constraints hold are independent beside them. Together they
+/// demand there what no motion can do. The nearest state on the constraints serves there too.
 /// * In a configuration where rows lose their independence for a moment, they are interpolated between states
-///   before and after it, along the velocity: accelerations of the motion that goes straight on.
+/// before and after it, along the velocity: accelerations of the motion that goes straight on.
 #[inline]
 pub fn accelerations<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
@@ -169,7 +169,7 @@ const WIDENINGS: i32 = 10;
 /// See [`WIDENINGS`].
 const WIDER: f64 = 2.0;
 
-/// Of how many widenings it is asked at once whether rows are redundant.
+/// The number of widenings between two questions whether rows are redundant.
 const STRIDE: usize = 3;
 
 /// The time \[s] to neighbours that have been moved away so often.
@@ -225,7 +225,7 @@ where
         here.rank == here.rows || time.is_some_and(|time| !are_redundant(system, state, factors, time));
     let none = [num_traits::Zero::zero(); K];
     let own = || system.balance_at(&system.constants(), state.t, &state.q, &state.v, &none).accelerations;
-    // What is no number without constraints is not their fault.
+    // A value that is not finite without constraints is not their fault.
     if passes && own().iter().all(|a| a.is_finite()) {
         return Err(Cause::Undetermined { constraint: here.weakest, name: Name::NONE });
     }

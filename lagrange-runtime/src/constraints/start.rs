@@ -81,10 +81,9 @@ where
     }
 }
 
-/// Whether all constraints are numbers at a state, and do not contradict each other there.
+/// Whether all constraints have finite values at a state, and do not contradict each other there.
 ///
-/// # Errors
-/// [`Cause::NotFinite`], [`Cause::VanishingGradient`], [`Cause::Contradictory`].
+/// # Errors [`Cause::NotFinite`], [`Cause::VanishingGradient`], [`Cause::Contradictory`].
 #[inline]
 pub fn sound<S, const N: usize, const K: usize, const C: usize>(
     system: &S,

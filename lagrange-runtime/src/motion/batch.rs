@@ -37,12 +37,12 @@ pub struct Batch<'a, S: Smooth<N, K>, const N: usize, const K: usize = 0> {
     /// Unit of time of the coefficients \[s], without direction; zero if not known.
     unit: S::Scalar,
     state: State<S::Scalar, N>,
-    /// What rounding took from the state.
+    /// The residue of rounding of the state.
     residue: State<S::Scalar, N>,
     expansions: u64,
     /// Lengths of the last steps \[s], without direction; zero before the first.
     last: S::Scalar,
-    /// The largest accelerations that were met where steps were probed.
+    /// The largest accelerations that probed steps have met.
     strongest: [S::Scalar; N],
     /// How independent constraints are at the states; zero before the first step.
     least: S::Scalar,
@@ -232,7 +232,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         tolerated::<S, N, K>(&self.state, &self.series, last_terms, orders, span)
     }
 
-    /// A length of which every lane obeys the equations of motion.
+    /// A length at which every lane obeys the equations of motion.
     #[cold]
     fn probed(
         &mut self,

@@ -54,7 +54,7 @@ where
     }
 }
 
-/// What a guard does at a zero, as time grows: a motion backward in time meets the same.
+/// The kind of a zero, as time grows: a motion backward in time meets the same kind.
 ///
 /// The pieces before and after an impact have their own zeros. So the gap of a contact that bounces has two
 /// events at the same time: it falls with the velocity before the impact and rises with the one after it. A
@@ -74,9 +74,9 @@ pub enum Crossing {
 pub struct Event<R, const N: usize> {
     /// The state there, with the time.
     pub state: State<R, N>,
-    /// What the guard does there.
+    /// How the guard goes through zero there.
     pub crossing: Crossing,
-    /// Which of several guards it is, by its place among them.
+    /// The index of the guard among several.
     pub index: usize,
 }
 

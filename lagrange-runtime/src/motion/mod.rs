@@ -1,5 +1,4 @@
-//! What a user holds: motions under error control, in fixed steps, several at once, and the events along
-//! them.
+//! Motions under error control, in fixed steps, several at once, and the events along them.
 
 pub mod batch;
 pub mod events;

@@ -51,7 +51,7 @@ impl Side {
     }
 }
 
-/// What a guard does at a zero.
+/// The way of a guard through a zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// From below to above.
@@ -62,7 +62,7 @@ pub(crate) enum Kind {
     Grazing,
 }
 
-/// What is known of a guard where a step starts.
+/// The knowledge of a guard where a step starts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Memory {
     /// Nothing. A zero at θ = 0 counts; the polynomial tells from where it was reached.
@@ -71,13 +71,14 @@ pub(crate) enum Memory {
     Side(Side),
     /// The guard came from this side to zero, or did not leave it, and that has not been counted yet.
     Touching(Side),
-    /// The guard is zero and that has been counted. It leaves to this side if one is given; that it arrives
-    /// at the other is then a crossing. After an impact: the side that the motion is now bound to.
+    /// The guard is zero and that has been counted. If a side is given, the guard leaves zero to this side;
+    /// its arrival at the other one is then a crossing. After an impact it is the side that the motion is now
+    /// bound to.
     Zero(Option<Side>),
 }
 
 impl Memory {
-    /// The same of the guard with the other sign.
+    /// The knowledge of the guard with the other sign.
     pub fn opposite(self) -> Self {
         let other = |side| match side {
             Side::Above => Side::Below,
@@ -95,7 +96,7 @@ impl Memory {
 /// A zero of a guard.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Zero<R> {
-    /// Where, as a part of the step.
+    /// The zero, as a part of the step.
     pub(crate) theta: R,
     /// What the guard does there.
     pub(crate) kind: Kind,
@@ -106,13 +107,13 @@ pub(crate) struct Zero<R> {
 }
 
 impl<R: Ordered> Zero<R> {
-    /// What is known at this zero: where a step starts that starts here.
+    /// The knowledge at this zero, for a step that starts here.
     pub(crate) fn memory(&self) -> Memory {
         Memory::Zero(Some(self.side))
     }
 
-    /// The place of a crossing to the last bit, by the guard itself instead of its polynomial. If the guard
-    /// does not change its sign where the polynomial does, and for what grazes, the place as it is.
+    /// A crossing to the last bit, by the guard itself instead of its polynomial. A grazing stays where it
+    /// is, and so does a crossing whose guard does not change its sign.
     pub(crate) fn polish(&self, mut guard: impl FnMut(R) -> R) -> R {
         if self.kind == Kind::Grazing {
             return self.theta;

@@ -29,11 +29,11 @@ where
     pub(crate) control: C,
     pub(crate) limits: Limits<S::Scalar>,
     pub(crate) memory: M::Memory,
-    /// What the caller sees: the end of the step, or a sample inside it.
+    /// The state that the caller sees: the end of the step, or a sample inside it.
     pub(crate) state: State<S::Scalar, N>,
     /// Whether the state that the motion started from has been checked.
     begun: bool,
-    /// The time of the last event, and how well it is known \[s].
+    /// The time of the last event, and its uncertainty \[s].
     pub(crate) event: Option<[S::Scalar; 2]>,
 }
 
@@ -144,7 +144,7 @@ where
         &mut self.limits
     }
 
-    /// Where the inputs come from.
+    /// The source of the inputs.
     #[inline]
     pub fn control(&self) -> &C {
         &self.control
@@ -183,7 +183,7 @@ where
         self.control.inputs(&self.state)
     }
 
-    /// What the motion has cost so far.
+    /// The cost of the motion so far.
     #[inline]
     pub fn steps(&self) -> Steps {
         M::counts(&self.memory)

@@ -22,7 +22,7 @@ pub struct Stepper<'a, S: System<N, K>, M: FixedStep<S, N, K>, const N: usize, c
     constants: S::Constants,
     memory: M::Memory,
     state: State<S::Scalar, N>,
-    /// What rounding took from the time.
+    /// The residue of rounding of the time.
     residue: S::Scalar,
 }
 

@@ -69,7 +69,7 @@ where
     let none = || ([S::Scalar::from_f64(f64::NAN); C], false);
     let Some((scene, choice)) = at_state(system, t, q, v, u) else { return none() };
     let v = &choice.velocities;
-    // What slips is no constraint: its force is that of its law, against the slip.
+    // A friction that slips is no constraint: its force is that of its law, against the slip.
     let with_slips = |regime: &Regime<_, C, W>, drags: &[S::Scalar; C], mut multipliers: [S::Scalar; C]| {
         for (row, kind) in S::ROWS.iter().enumerate() {
             if let Row::Friction { normal, .. } = *kind

@@ -1,8 +1,8 @@
 //! Guards along the polynomial of a step: polynomials themselves.
 //!
-//! In one regime guards are smooth, so each has a Taylor series along the motion. What is affine in the state
-//! is as exact as the polynomial of the step; of other guards the series reaches only as far as it converges
-//! to rounding, and is taken anew from there.
+//! In one regime guards are smooth, so each has a Taylor series along the motion. A guard that is affine in
+//! the state is as exact as the polynomial of the step. The series of other guards reach only as far as they
+//! converge to rounding, and are taken anew from there.
 
 use super::guards::{Guard, Guards};
 use super::reactions::Borne;
@@ -17,11 +17,11 @@ use crate::system::error::Cause;
 use crate::system::method::Terms;
 use crate::system::state::State;
 
-/// A part of the step is halved so often at most where a guard has no series on it.
+/// The most halvings of a part of the step on which a guard has no series.
 const HALVINGS: i32 = 40;
 
-/// A part of the step is halved so often at most for the sake of roundings alone: what starts near zero and
-/// slowly has few where it starts.
+/// The most halvings of a part of the step for the sake of rounding errors alone. A guard that starts near
+/// zero and changes slowly has small ones where it starts.
 const CLEAREST: i32 = 20;
 
 /// A part on which a series does not converge becomes shorter by factors between these.
@@ -35,7 +35,7 @@ struct Path<R, const N: usize, const C: usize, const T: usize = TERMS> {
     q: [Taylor<R, T>; N],
     v: [Taylor<R, T>; N],
     reactions: [Taylor<R, T>; C],
-    /// What roundings make of velocities until the end of the step, and the time of the step.
+    /// The effect of rounding errors on velocities until the end of the step, and the time of the step.
     roundings: [R; N],
     time: R,
 }
@@ -44,7 +44,8 @@ struct Path<R, const N: usize, const C: usize, const T: usize = TERMS> {
 type First<R> = (Fall<R>, Guard);
 
 impl<R: Ordered, const N: usize, const C: usize, const T: usize> Path<R, N, C, T> {
-    /// Along the whole step, whose length has these powers, of what is read of coordinates and velocities.
+    /// The path along the whole step, whose length has these powers, with the coordinates and velocities that
+    /// are read.
     fn new(
         start: &State<R, N>,
         terms: &Terms<'_, R, N>,
@@ -64,7 +65,7 @@ impl<R: Ordered, const N: usize, const C: usize, const T: usize> Path<R, N, C, T
         whole
     }
 
-    /// Along the part from `from` that is so long.
+    /// The path along the part of this width from `from` on.
     fn on(&self, from: R, width: R) -> Self {
         let on = |x: &Taylor<R, T>| x.on(from, width);
         let mut part = Self {
@@ -78,7 +79,7 @@ impl<R: Ordered, const N: usize, const C: usize, const T: usize> Path<R, N, C, T
         part
     }
 
-    /// Adds what roundings of the forces make of the state until so much of the step has passed.
+    /// Adds the effect of rounding errors of the forces on the state until this part of the step has passed.
     fn round(&mut self, reach: R) {
         let half = R::from_f64(0.5);
         for (i, &rounding) in self.roundings.iter().enumerate() {
@@ -94,8 +95,8 @@ where
     S::Scalar: Ordered,
 {
     /// The first guard that falls through zero along a step, and the part of the step that has passed then,
-    /// to the roundings of its polynomial. That of `fired` is zero where the step starts. Each part that is
-    /// looked at by itself is one of the `attempts`.
+    /// to the rounding errors of its polynomial. The guard `fired` is zero where the step starts. Each part
+    /// that is examined by itself is one of the `attempts`.
     pub(super) fn first_along(
         &mut self,
         [start, end]: [&State<S::Scalar, N>; 2],
@@ -112,11 +113,11 @@ where
         }
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
         let fallen = self.fallen(end);
-        // The shortest polynomials tell of what keeps away from zero alone.
+        // The shortest polynomials can only show that a guard keeps away from zero.
         if fired.is_none() && fallen == 0 {
             self.glance(&Path::<_, N, C, LEAST>::new(start, terms, &powers, &borne, &S::GUARDED), fired);
         }
-        // What has fallen where the step ends needs its place.
+        // A guard that has fallen at the end of the step needs the time of its fall.
         if self.along().nth(fallen).is_some() {
             self.glance(&Path::<_, N, C, FEW>::new(start, terms, &powers, &borne, &S::GUARDED), fired);
         }
@@ -152,7 +153,8 @@ where
             }
             if converged < one {
                 if width > shortest {
-                    // Shorter than asked for, so that the roundings of the next series ask for no more.
+                    // It is shorter than necessary, so that the rounding errors of the next series ask for no
+                    // more.
                     width *= larger(converged * S::Scalar::from_f64(NEARER), S::Scalar::from_f64(FURTHER));
                     continue;
                 }
@@ -196,7 +198,7 @@ where
                 return Ok(Some((Fall { place, fallen }, guard)));
             }
             from += width;
-            // What is left is no part of a step where it is a rounding.
+            // A remainder that is a rounding error is no part of a step.
             if one - from <= S::Scalar::epsilon() {
                 return Ok(None);
             }
@@ -204,10 +206,10 @@ where
         }
     }
 
-    /// The part of the step where a guard itself is zero beside a fall of its polynomial, which has the
-    /// roundings of the whole part of the step that it is taken on. Where the guard is within those of its
-    /// own value already, or does not change its sign as the polynomial does, the place as it is. `sizes`
-    /// bound the summands of the state there.
+    /// The part of the step where a guard itself is zero beside a fall of its polynomial. The polynomial has
+    /// the rounding errors of the whole part of the step that it is taken on. The place stays as it is where
+    /// the guard is within the rounding errors of its own value, or does not change its sign as the
+    /// polynomial does. `sizes` bound the summands of the state there.
     pub(super) fn at_zero(
         &self,
         guard: Guard,
@@ -222,18 +224,18 @@ where
             at(place).map_or(nothing, |state| self.value(guard, &state, sizes))
         };
         let there = value(place);
-        // A start has no place before it, and what is no number nowhere to go.
+        // No place is before a start, and a guard that is NaN has no better place.
         if place == num_traits::Zero::zero() || !above(there.start().abs(), there.error) {
             return place;
         }
-        // Not back to the start, where what has just been zero is so again.
+        // The start is excluded: a guard that was zero there is zero there again.
         let bracket = [half * place, larger(place, fallen)];
         let zero = Zero { theta: place, kind: Kind::Falling, side: Side::Below, bracket };
         zero.polish(|place| value(place).start())
     }
 
-    /// Ends to look at guards that do not come near zero on the whole of the step, as far as polynomials of
-    /// low order bound that. What has fired is zero where the step starts.
+    /// Stops watching guards that do not come near zero on the whole of the step, as far as polynomials of
+    /// low order bound them. The guard `fired` is zero where the step starts.
     fn glance<const T: usize>(&mut self, path: &Path<S::Scalar, N, C, T>, fired: Option<Guard>) {
         let functions = self.along_part(path);
         for guard in (0..C).map(Guard::Row).chain((0..W).map(Guard::Kink)) {
@@ -249,7 +251,7 @@ where
         }
     }
 
-    /// How many gaps, slips and kinks are below zero where the step ends.
+    /// The number of gaps, slips and kinks that are below zero at the end of the step.
     fn fallen(&self, end: &State<S::Scalar, N>) -> usize {
         let zero: S::Scalar = num_traits::Zero::zero();
         let guarded = self.guarded(|x| x, end.t, [&end.q, &end.v], &[zero; C]);
@@ -265,7 +267,7 @@ where
         self.guarded(Taylor::constant, part.t, [&part.q, &part.v], &part.reactions).plain()
     }
 
-    /// The guards at one end of it, with the roundings of the whole.
+    /// The guards at one end of it, with the rounding errors of the whole.
     fn at_place(
         &self,
         part: &Path<S::Scalar, N, C>,
@@ -281,8 +283,8 @@ where
         self.guarded(Taylor::constant, known(&part.t), [&q, &v], &reactions).plain()
     }
 
-    /// Whether the series of all guards end where the guards do: the root of a square knows of no kink at its
-    /// zero.
+    /// Whether the series of all guards have the right values at the end: the series of the root of a square
+    /// does not show the kink at its zero.
     fn agrees(&self, part: &Path<S::Scalar, N, C>, guarded: &Functions<Taylor<S::Scalar>, C, W>) -> bool {
         if self.along().all(|guard| guarded.get(guard).is_whole) {
             return true;
@@ -292,14 +294,14 @@ where
             let (series, value) = (guarded.get(guard), values.get(guard));
             let summed = S::Scalar::from_f64(2.0 * series.degree as f64) * S::Scalar::epsilon();
             let bound = series.error + value.error + summed * series.extent();
-            // What has left no number at the end is no reason to look at a shorter part.
+            // A guard that is NaN at the end is no reason to try a shorter part.
             let difference = (series.end() - value.start()).abs();
             difference <= bound || !difference.is_finite()
         })
     }
 
-    /// The end of a part too short to matter, on which a guard has no series, as the distance from a centre
-    /// has none there; `None` where a guard may be zero in it.
+    /// The end of a part too short to matter, on which a guard has no series. The distance from a centre has
+    /// none there, for example. `None` where a guard may be zero in it.
     fn beyond(&self, path: &Path<S::Scalar, N, C>, from: S::Scalar, length: S::Scalar) -> Option<S::Scalar> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let mut to = from;
@@ -315,7 +317,7 @@ where
             if !sides.iter().all(are_known) {
                 continue;
             }
-            // As far from zero as it would not come in many such parts.
+            // Each guard is so far from zero that many such parts would not bring it there.
             let is_clear = self.along().all(|guard| {
                 sides.iter().all(|guarded| {
                     let series = guarded.get(guard);
@@ -328,8 +330,8 @@ where
         None
     }
 
-    /// Whether a guard is zero where the step starts, whatever its series says: what has fired, and what a
-    /// regime begins with as it is, a gap or a reaction. Below zero has been decided there.
+    /// Whether a guard is zero where the step starts, whatever its series says: the guard that has fired, and
+    /// a gap or a reaction with which a regime begins. It has been decided that these are not below zero.
     fn begins_at_zero<const T: usize>(
         &self,
         guard: Guard,

@@ -1,4 +1,4 @@
-//! Where a motion begins, or goes on from a state that is not its own.
+//! The regime where a motion begins, or where it goes on from a state that is not its own.
 
 use super::choice::sides;
 use super::run::Run;
@@ -30,7 +30,7 @@ where
         self.check(&laws, &coefficients)?;
         let mut present = self.memory.regime;
         present.kinks = sides(&laws.kinks, &present.kinks, &laws.kink_sizes);
-        // What always holds has to hold at the start as well.
+        // Constraints that always hold must hold at the start as well.
         let alone = Regime { kinks: present.kinks, ..Regime::open(&S::ROWS) };
         let in_regime = self.system.in_regime(&alone);
         if S::InRegime::CONSTRAINED && S::ROWS.contains(&Row::Bilateral) {
@@ -90,7 +90,7 @@ where
         if !laws.rows.positions.iter().chain(&laws.kinks).copied().all(Real::is_finite) {
             return Err(Cause::NotFinite);
         }
-        // What has a value but no rate has no gradient, as the distance from a centre at the centre.
+        // A function with a value but no rate has no gradient, as the distance from a centre at the centre.
         match laws.rows.rates.iter().position(|rate| !rate.is_finite()) {
             Some(row) => Err(Cause::VanishingGradient { constraint: row, name: S::NAMES.constraint(row) }),
             None => Ok(()),
@@ -126,7 +126,8 @@ where
             let gap = laws.rows.positions[row];
             let by_state = extent(&scene.gradients[row], &state.q);
             let size = most(most(laws.rows.position_sizes[row], self.memory.scales.gaps[row]), by_state);
-            // A gap of one coordinate is as large as its own size: then the others tell what is small.
+            // The size of a gap that is one coordinate is the gap itself. Then the other coordinates tell
+            // what is small.
             let most_of = state.q.iter().fold(num_traits::Zero::zero(), |size, &q| most(size, q.abs()));
             let own = laws.rows.position_sizes[row] == -gap;
             let size = if own { most(self.memory.scales.gaps[row], most_of + gap) } else { size };

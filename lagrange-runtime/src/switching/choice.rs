@@ -1,10 +1,9 @@
 //! The regime that goes on from a state: complementarity on the level of accelerations.
 //!
-//! Of the rows that are at their limit each does one of two or three things, and what it does has to agree
-//! with the accelerations and reactions that follow: a closed contact pushes, an open one opens, what sticks
-//! stays within its limit, what begins to slip slips against its friction. Combinations are tried, those
-//! first that change least. With friction that reactions drive there may be none, or several (Painlevé's
-//! paradox).
+//! Each row at its limit does one of two or three things, which must agree with the accelerations and
+//! reactions that follow. A closed contact pushes, an open one opens, friction that sticks stays within its
+//! limit, and friction that begins to slip acts against the slip. Combinations are tried, those first that
+//! change least. With friction that reactions drive there may be none, or several (Painlevé's paradox).
 //!
 //! Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapters 5 and 7.
 
@@ -17,11 +16,11 @@ use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::state::State;
 
-/// A regime, and what follows from it.
+/// A regime with its accelerations and reactions.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Choice<R, const N: usize, const C: usize, const W: usize> {
     pub(super) regime: Regime<R, C, W>,
-    /// Velocities: those of the state, but for a slip in two directions that begins.
+    /// Velocities: those of the state, except for a slip in two directions that begins.
     pub(super) velocities: [R; N],
     /// How much later the motion has these velocities, where that is known.
     pub(super) later: R,
@@ -34,12 +33,13 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// The regime that goes on. That of `avoid` is the row whose guard has ended what it did: it does that
-    /// again only if nothing else is possible. A reaction that has fallen through zero is one that the
-    /// polynomial has decided about, where accelerations and reactions tie. A gap may have touched zero
-    /// alone. A friction that has come to its limit may stick in another regime, but in the one that it has
-    /// ended it slips: its acceleration grows from zero there, and roundings or the slip that it begins with
-    /// hide it.
+    /// The regime that goes on.
+    ///
+    /// `avoid` is the row whose guard has ended its activity. The row goes on with it only if nothing else is
+    /// possible. If its reaction has fallen through zero, the polynomial has decided about it, and
+    /// accelerations and reactions tie. If it is a gap, it may have touched zero alone. If it is a friction
+    /// at its limit, it may stick in another regime. In the regime that it has ended it slips: its
+    /// acceleration grows from zero there, hidden by rounding errors or by the slip that it begins with.
     pub(super) fn choose(
         &self,
         present: &Regime<S::Scalar, C, W>,
@@ -70,7 +70,7 @@ where
         Ok(choice)
     }
 
-    /// The regime among these options; nothing is asked of a row that is decided.
+    /// The regime among these options. Nothing is asked of a row that is decided.
     fn choose_among(
         &self,
         options: [Options; C],
@@ -81,7 +81,7 @@ where
         });
         let fine: S::Scalar = rounding();
         let mut cause = Cause::NotFinite;
-        // Ties are decided by more than roundings only where roundings have left nothing.
+        // Larger thresholds decide ties only where smaller ones have left no regime.
         for part in [fine, fine * fine.sqrt().sqrt().recip(), fine.sqrt() * S::Scalar::from_f64(0.1)] {
             let mut chosen: Option<Choice<S::Scalar, N, C, W>> = None;
             let mut other = None;
@@ -89,7 +89,7 @@ where
                 let Some(trial) = regime(&S::ROWS, parts, &options, &[false; C], self.kinks) else {
                     return false;
                 };
-                // Of what several motions have in common, other frictions, one is taken.
+                // Of regimes that differ in friction alone, one is taken.
                 if chosen.as_ref().is_some_and(|chosen| parts_at(&S::ROWS, &chosen.regime, &trial).is_none())
                 {
                     return false;
@@ -157,7 +157,7 @@ where
         })
     }
 
-    /// What follows from a regime; `None` where it has no accelerations.
+    /// The consequences of a regime; `None` where it has no accelerations.
     fn trial(&self, regime: Regime<S::Scalar, C, W>) -> Option<Choice<S::Scalar, N, C, W>> {
         let begins = |row: usize| {
             matches!(S::ROWS[row], Row::Friction { pair: Some(_), .. })
@@ -187,7 +187,7 @@ where
         })
     }
 
-    /// The accelerations and multipliers of a regime, and what they are made of.
+    /// The accelerations and multipliers of a regime, and the sizes of their terms.
     pub(super) fn balance(
         &self,
         regime: &Regime<S::Scalar, C, W>,
@@ -228,8 +228,7 @@ where
         self.gradients.get(row).map_or(num_traits::Zero::zero(), along) - entry(&self.gamma, row)
     }
 
-    /// Whether what a combination demands agrees with what follows from it; if not, the row where it does
-    /// not.
+    /// Whether the demands of a combination agree with its consequences; if not, the row where they do not.
     fn judge(
         &self,
         parts: &[Part; C],
@@ -253,7 +252,7 @@ where
             let rate = self.rate(row, &trial.accelerations);
             let own = self.gradients.get(row).map_or(zero, |own| extent(own, &sizes.accelerations));
             let play = part * (own + entry(&self.gamma, row).abs());
-            // Rows that depend on each other may ask for what contradicts.
+            // Rows that depend on each other may demand contradictory things.
             let inexact = most(part, S::Scalar::epsilon().sqrt()) / part * play;
             if trial.regime.active[row] && *kind != Row::Bilateral && above(rate.abs(), inexact) {
                 return Err(row);
@@ -295,13 +294,13 @@ where
         Ok(())
     }
 
-    /// What a friction that sticks can do at most, in the direction of its force.
+    /// The largest force of a friction that sticks, in the direction of its force.
     fn limit(&self, row: usize, normal: Option<usize>, multipliers: &[S::Scalar; C]) -> S::Scalar {
         let coefficient = entry(&self.against(-entry(multipliers, row)).fixed, row);
         normal.map_or(coefficient, |normal| coefficient * entry(multipliers, normal).abs())
     }
 
-    /// The contact at which two regimes have other reactions, if the motion differs.
+    /// The contact at which the reactions of two regimes differ, if the motion differs.
     fn differs(&self, a: &Choice<S::Scalar, N, C, W>, b: &Choice<S::Scalar, N, C, W>) -> Option<usize> {
         let row = parts_at(&S::ROWS, &a.regime, &b.regime)?;
         let part = S::Scalar::epsilon().sqrt();
@@ -312,7 +311,7 @@ where
         (apart && self.are_certain(row, a) && self.are_certain(row, b)).then_some(row)
     }
 
-    /// Whether a contact reacts or opens by more than what decides a tie.
+    /// Whether a contact reacts or opens by more than the threshold of a tie.
     fn are_certain(&self, row: usize, choice: &Choice<S::Scalar, N, C, W>) -> bool {
         let part = S::Scalar::epsilon().sqrt();
         let sizes = &choice.sizes;
@@ -339,10 +338,10 @@ fn parts_at<R: Real, const C: usize, const W: usize>(
         .position(|(row, kind)| !matches!(kind, Row::Friction { .. }) && reacts(a, row) != reacts(b, row))
 }
 
-/// Accelerations and multipliers, and what they are made of.
+/// Accelerations and multipliers, and the sizes of their terms.
 pub(super) type Balanced<R, const N: usize, const C: usize> = (Balance<R, N, C>, Sizes<R, N>);
 
-/// The magnitudes of what forces and accelerations are made of.
+/// The sizes of the terms of forces and accelerations.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sizes<R, const N: usize> {
     pub(super) forces: [R; N],
@@ -365,7 +364,8 @@ pub(super) fn is_limit<const C: usize>(rows: &[Row; C], row: usize) -> bool {
     rows.iter().any(|kind| matches!(kind, Row::Friction { normal: Some(normal), .. } if *normal == row))
 }
 
-/// The sides of kinks at a state: that of a switching function that is zero is not known, and taken as above.
+/// The sides of kinks at a state. The side of a switching function that is zero is not known, and taken as
+/// above.
 pub(super) fn sides<R: Real, const W: usize>(kinks: &[R; W], present: &[R; W], sizes: &[R; W]) -> [R; W] {
     core::array::from_fn(|kink| {
         if !above(kinks[kink].abs(), rounding::<R>() * sizes[kink]) {

@@ -1,4 +1,4 @@
-//! What a motion tells of its contacts, and its changes of regime one by one.
+//! The present contacts of a motion, and its changes of regime one by one.
 
 use super::{Hybrid, Row, Switching};
 use crate::motion::simulation::Simulation;
@@ -8,7 +8,7 @@ use crate::system::error::MotionError;
 use crate::system::method::Adaptive;
 use crate::system::state::State;
 
-/// What a constraint, contact or friction does at present.
+/// The present activity of a constraint, contact or friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Contact {
     /// A constraint that always holds.
@@ -47,7 +47,7 @@ where
     S::Scalar: Ordered,
     M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
 {
-    /// What each contact, friction and constraint does, by name: `motion.contacts().floor`.
+    /// The activity of each contact, friction and constraint, by name: `motion.contacts().floor`.
     ///
     /// It is known from the first step on. It belongs to the end of the integrator's last step, which is
     /// ahead of [`Simulation::state`] if that is a sample.

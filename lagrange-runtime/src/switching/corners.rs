@@ -1,4 +1,4 @@
-//! The way through a kink, and corners of what it stands in.
+//! The way through a kink, and corners of the functions that contain it.
 
 use super::run::{CHANGES, Run};
 use super::scene::{above, entry, most};
@@ -32,7 +32,7 @@ where
         if *flips > CHANGES {
             return Err(Cause::HeldAtKink { kink, name });
         }
-        // The force of an energy that jumps would act at a point, where no equation has it.
+        // An energy that jumps would act by a force at one point, which no equation contains.
         let [jumps, sizes] = self.system.jumps_at(state.t, &state.q, &state.v, &self.control.0);
         if above(entry(&jumps, kink).abs(), S::Scalar::epsilon().sqrt() * entry(&sizes, kink)) {
             return Err(Cause::EnergyJumps { kink, name });
@@ -43,12 +43,12 @@ where
         self.leap(kink, side, state)
     }
 
-    /// Refuses a kink at which a constraint jumps, or the gap of a contact that is closed, or below zero
-    /// behind the kink: no velocity leads there.
+    /// Refuses a kink at which a constraint jumps, or the gap of a contact that is closed, or that is below
+    /// zero behind the kink: no velocity leads there.
     fn leap(&self, kink: usize, side: S::Scalar, state: &State<S::Scalar, N>) -> Result<(), Cause> {
         let State { t, q, v } = state;
         let inputs = &self.control.0;
-        // Gaps as they have been up to the kink.
+        // The gaps as they were before the kink.
         let wanted = Wanted { rows: [true; C], fixed: [false; C], kinks: [false; W] };
         let gaps = S::functions_in(&self.memory.in_regime, |x| x, *t, q, v, inputs, &wanted).rows;
         let sizes = self.system.laws_at(*t, q, v, inputs).rows.position_sizes;
@@ -66,8 +66,8 @@ where
     }
 
     /// Whether a momentum or the rate of a constraint jumps at a kink, so that velocities do not go through
-    /// it as they are. At the kink itself a function may be no more than roundings: its size is that along
-    /// the piece.
+    /// it as they are. At the kink itself a function may be nothing but rounding errors, so its size is that
+    /// along the piece.
     fn has_corner(&mut self, kink: usize, state: &State<S::Scalar, N>) -> bool {
         let part = S::Scalar::epsilon().sqrt();
         let mut middle = None;

@@ -12,7 +12,7 @@ impl<T, const C: usize, const W: usize> Functions<T, C, W> {
             Guard::Row(row) => self.rows.get(row),
             Guard::Kink(kink) => self.kinks.get(kink),
         };
-        // Places are those of the arrays; that there is one tells the compiler so.
+        // The index of a guard is within its array; the alternatives tell the compiler so.
         match found.or(self.rows.first()).or(self.kinks.first()) {
             Some(function) => function,
             None => unreachable!("a system that switches has rows or kinks"),
@@ -21,7 +21,7 @@ impl<T, const C: usize, const W: usize> Functions<T, C, W> {
 }
 
 impl<R: Ordered, const T: usize, const C: usize, const W: usize> Functions<Taylor<R, T>, C, W> {
-    /// The same without derivatives of their numbers: where they are zero, values tell alone.
+    /// The same without derivatives: values alone tell where they are zero.
     pub(super) fn plain(self) -> Self {
         if R::PARTS == 1 {
             return self;

@@ -1,4 +1,4 @@
-//! Guards: what ends a regime where it falls through zero.
+//! Guards: functions that end a regime where they fall through zero.
 
 mod values;
 mod watch;
@@ -13,13 +13,14 @@ use crate::system::state::State;
 use values::Values;
 use watch::Watch;
 
-/// Evaluations of all guards that are kept: those of a polynomial of degree 16, and what tests it.
+/// The most evaluations of all guards that are kept: those of a polynomial of degree 16, and those that test
+/// it.
 const KEPT: usize = 24;
 
-/// A step is halved so often before its guards are given up.
+/// The most halvings of a step before its guards are given up.
 const HALVINGS: i32 = 24;
 
-/// Which guard.
+/// A guard by its kind and index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Guard {
     Row(usize),
@@ -34,7 +35,8 @@ where
     pub(super) in_regime: &'a S::InRegime,
     pub(super) regime: &'a Regime<S::Scalar, C, W>,
     pub(super) inputs: &'a [S::Scalar; K],
-    /// The sizes of frictions that slip and are given, which are among the forces and may balance the others.
+    /// The sizes of frictions that slip and whose force is given. They are among the forces and may balance
+    /// the others.
     pub(super) given: [S::Scalar; N],
     watch: Watch<S::Scalar, C, W>,
     /// Whether the motion is a polynomial.
@@ -63,7 +65,7 @@ where
         let mut turns = false;
         for (row, kind) in S::ROWS.iter().enumerate() {
             watch.rows[row] = match kind {
-                // Beyond its zero the series of a load has the other sign.
+                // Beyond the zero of a load its series has the other sign.
                 Row::Bilateral | Row::Load => S::ROWS.iter().enumerate().any(|(other, kind)| {
                     matches!(kind, Row::Friction { normal: Some(normal), .. } if *normal == row)
                         && slips(other)
@@ -83,13 +85,13 @@ where
         Self { in_regime, regime, inputs, given, watch, is_along, reacts_along: false }
     }
 
-    /// Whether there is nothing to look at.
+    /// Whether no guard is watched.
     pub(super) fn is_empty(&self) -> bool {
         W == 0 && !self.watch.rows.contains(&true)
     }
 
-    /// Whether nothing but samples tell of a guard: of a reaction without a polynomial, and of each where a
-    /// method has none.
+    /// Whether samples alone tell about a guard: about a reaction without a polynomial, and about each guard
+    /// of a method without polynomials.
     fn is_sampled(&self, guard: Guard) -> bool {
         let is_along = match guard {
             Guard::Row(row) => !self.is_reaction(row) || self.reacts_along,
@@ -108,9 +110,9 @@ where
         matches!(S::ROWS[row], Row::Bilateral | Row::Load) || self.regime.active[row]
     }
 
-    /// All guards that are looked at.
+    /// All guards that are watched.
     pub(super) fn all(&self) -> impl Iterator<Item = Guard> + '_ {
-        // One range, since what follows would be compiled for each part of a chain.
+        // One range, since the code that follows would be compiled for each part of a chain.
         let guards =
             (0..C + W).map(|place| if place < C { Guard::Row(place) } else { Guard::Kink(place - C) });
         guards.filter(|&guard| self.watch.has(guard))
@@ -121,13 +123,13 @@ where
         self.all().filter(|&guard| !self.is_sampled(guard))
     }
 
-    /// Those that are looked at by samples.
+    /// The guards that are watched by samples.
     fn sampled(&self) -> impl Iterator<Item = Guard> + '_ {
         self.all().filter(|&guard| self.is_sampled(guard))
     }
 
-    /// The functions of a regime with the guards that they and reactions make, in the places of rows and
-    /// kinks that have one.
+    /// The functions of a regime with the guards that they and reactions make, at the indices of their rows
+    /// and kinks.
     pub(super) fn guarded<T: Real>(
         &self,
         number: impl Fn(S::Scalar) -> T + Copy,
@@ -223,7 +225,7 @@ where
         *self.only(guard).guards_at(state, sizes).get(guard)
     }
 
-    /// All guards at a state that are looked at by samples.
+    /// All guards that are watched by samples, at a state.
     fn values(&self, state: &State<S::Scalar, N>) -> Values<S::Scalar, C, W> {
         let mut values = Values::of(num_traits::Zero::zero());
         let guarded = self.guards_at(state, state);
@@ -238,9 +240,9 @@ where
         values
     }
 
-    /// The first guard looked at by samples that falls through zero on a step between two times, before a
-    /// part of it has passed, and the part that has passed then. `at` gives the state after a part. Each part
-    /// that is looked at by itself is one of the `attempts`.
+    /// The first guard watched by samples that falls through zero on a step between two times, before a part
+    /// of it has passed, and the part that has passed then. `at` gives the state after a part. Each part that
+    /// is examined by itself is one of the `attempts`.
     pub(super) fn first(
         &self,
         scales: &Scales<S::Scalar, C>,
@@ -257,7 +259,7 @@ where
         }
         let (mut from, mut to) = (zero, until);
         let nan = Values::of(S::Scalar::from_f64(f64::NAN));
-        // Time is rounded, so that a guard is known no better than it changes meanwhile.
+        // Time is rounded, so a guard is uncertain by its change in the meantime.
         let late = most(start.abs(), end.abs()) / (end - start).abs();
         loop {
             let width = to - from;
@@ -288,7 +290,7 @@ where
                 }
             }
             match (unresolved, earliest) {
-                // What lies before all that is not resolved is known; the rest of the step does not matter.
+                // The part before the unresolved one is known; the rest of the step does not matter.
                 (Some(why), _) if width <= shortest => {
                     return Err(why.cause());
                 }
@@ -307,8 +309,8 @@ where
         }
     }
 
-    /// How long after the zero of a guard a time is that rounding has made of it, from its values there and a
-    /// little earlier.
+    /// The delay of a time after the zero of a guard that the rounding of time has made, from values of the
+    /// guard there and a little earlier.
     pub(super) fn late(&self, guard: Guard, [earlier, there]: [&State<S::Scalar, N>; 2]) -> S::Scalar {
         let [before, value] = [earlier, there].map(|state| self.values(state).get(guard).0);
         let late = value / (value - before) * (there.t - earlier.t);
@@ -331,8 +333,8 @@ where
         }
     }
 
-    /// Where a guard falls through zero on a part of the step. Its values are asked for in many places, in
-    /// each of which their code would stand.
+    /// The place where a guard falls through zero on a part of the step. A function of its own: its code
+    /// would stand in each of many places.
     #[inline(never)]
     fn falls(
         &self,
@@ -358,7 +360,7 @@ where
         let memory = if start.0 > noise {
             Memory::Side(Side::Above)
         } else if start.0 >= -noise || is_gap {
-            // What has just begun begins at zero.
+            // A regime that has just begun begins at zero.
             Memory::Zero(Some(Side::Above))
         } else {
             return Ok(Some(zero));

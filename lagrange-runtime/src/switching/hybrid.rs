@@ -1,9 +1,9 @@
 //! [`Hybrid`]: motions whose equations switch, by a method for smooth ones.
 //!
-//! The method `M` runs in one regime. Over each step that it makes all guards of the regime are looked at, as
+//! The method `M` runs in one regime. All guards of the regime are watched over each of its steps, as
 //! polynomials where the step is one, else by samples of it; they take no steps of their own. The step is cut
-//! at the first zero, and the regime that goes on from there is chosen. What is left of a step behind the cut
-//! is never seen.
+//! at the first zero, and the regime that goes on from there is chosen. The rest of a step behind the cut is
+//! never seen.
 //!
 //! A motion in one regime is a *piece*. Its start and end are limits from inside: at the end of a piece an
 //! impact has not happened yet. [`Adaptive::sample`] and [`Adaptive::advance`] give the state after it.
@@ -85,7 +85,7 @@ where
     where
         S::Scalar: Ordered,
     {
-        // Inside the piece its own regime is the one to begin with.
+        // Inside a piece the motion begins with the regime of the piece.
         if let Some((regime, after)) = memory.next.take()
             && after.t == state.t
         {

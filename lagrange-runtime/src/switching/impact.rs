@@ -29,17 +29,17 @@ use crate::system::state::State;
 /// Velocities after an impact, and the impulses of all rows.
 pub(super) type Struck<R, const N: usize, const C: usize> = ([R; N], [R; C]);
 
-/// What an impact demands of contacts.
+/// The demands of an impact on contacts.
 #[derive(Clone, Copy)]
 struct Demand<R, const C: usize> {
-    /// The part of the velocity at which a contact closes that it has to open with.
+    /// The part of its closing velocity with which a contact must open.
     restitution: [R; C],
-    /// Impulses that contacts give whatever the others are, beside those that are looked for.
+    /// Impulses that contacts give in any case, beside the unknown ones.
     given: [R; C],
 }
 
 impl<R: Real, const C: usize> Demand<R, C> {
-    /// Nothing but that contacts stay closed.
+    /// The demand that contacts stay closed, and no more.
     fn plastic() -> Self {
         Self { restitution: [R::zero(); C], given: [R::zero(); C] }
     }
@@ -76,7 +76,7 @@ where
                 rows.zip(restitution.iter().zip(&self.gradients))
             {
                 let slows = -product(gradient, &plastic.changes);
-                // What opens already is not driven into penetration.
+                // A contact that opens already is not driven into penetration.
                 let most = match status {
                     Status::Meets => e,
                     Status::Apart if is_closed && slows.is_positive() => (before - slows) / slows,
@@ -153,13 +153,13 @@ where
         Err(cause)
     }
 
-    /// What a row may do in an impact.
+    /// The activities of a row in an impact.
     fn ways(&self, row: usize) -> Options {
         let is_limit = super::choice::is_limit(&S::ROWS, row);
         match (S::ROWS[row], self.status[row]) {
             (Row::Bilateral, _) if is_limit => Options::new(&[Part::On, Part::Against]),
             (Row::Bilateral | Row::Load, _) => Options::new(&[Part::On]),
-            // One that opens may be closed by the impulses at others.
+            // A contact that opens may be closed by the impulses at others.
             (Row::Unilateral, Status::Apart) if self.is_closed[row] => Options::new(&[Part::Off, Part::On]),
             (Row::Unilateral, Status::Meets | Status::Touches) => Options::new(&[Part::On, Part::Off]),
             (Row::Friction { normal: None, .. }, _) => Options::new(&[Part::Off]),
@@ -180,7 +180,7 @@ where
         }
     }
 
-    /// By how much the rate of a row changes that holds.
+    /// The demanded change of the rate of a row that holds.
     fn wanted(&self, row: usize, restitution: &[S::Scalar; C]) -> S::Scalar {
         let rate = self.laws.rows.rates[row];
         match S::ROWS[row] {
@@ -215,7 +215,7 @@ where
             let impulses = self.with_friction(&regime, impulses, &demand.given, &after);
             Impulses { changes, impulses, active: regime.active }
         };
-        // Of a slip in two directions that which follows is looked for.
+        // A slip in two directions is sought so that friction opposes the slip that follows.
         let zero: S::Scalar = num_traits::Zero::zero();
         let turns = |row: usize| regime.slip[row] != zero;
         if !pairs(&S::ROWS).any(|[row, _]| turns(row)) {
@@ -225,8 +225,8 @@ where
         let rates = &self.laws.rows.rates;
         let after =
             |row: usize, changes: &[S::Scalar; N]| rates[row] + product(&self.gradients[row], changes);
-        // Velocities that have these slips: where slips depend on each other, theirs are those that some
-        // motion has.
+        // The velocities that have these slips. Slips that depend on each other are replaced by those of some
+        // motion.
         let mut changes = smooth;
         let mut turning = Turning::new();
         for _ in 0..TURNS {
@@ -249,8 +249,8 @@ where
         None
     }
 
-    /// What impulses that contacts give by themselves do, with the friction that they drive where it slips;
-    /// the directions of slips in two directions are those of these velocities.
+    /// The changes that given impulses of contacts make, with the friction that they drive where it slips.
+    /// Slips in two directions have the directions of these velocities.
     fn given(
         &self,
         regime: &Regime<S::Scalar, C, W>,
@@ -291,8 +291,8 @@ where
         Some(equations.saddle.solve(&given, &wanted).0)
     }
 
-    /// The impulses of frictions that slip, which follow from those of their contacts and what these are
-    /// `given`.
+    /// The impulses of frictions that slip. They follow from the impulses of their contacts and from those
+    /// that are `given`.
     fn with_friction(
         &self,
         regime: &Regime<S::Scalar, C, W>,
@@ -326,7 +326,7 @@ where
         impulses
     }
 
-    /// Whether what a combination demands agrees with what follows; if not, the row where it does not.
+    /// Whether the demands of a combination agree with its consequences; if not, the row where they do not.
     fn agree(
         &self,
         parts: &[Part; C],
@@ -352,7 +352,7 @@ where
             let scale = super::scene::extent(gradient, &sizes);
             let slack = if squares.is_positive() { part * scale / squares } else { zero };
             let impulse = strike.impulses[row];
-            // Rows that depend on each other may ask for what contradicts.
+            // Rows that depend on each other may demand contradictory things.
             let wanted = self.wanted(row, &demand.restitution);
             let asked = strike.active[row] && *kind != Row::Bilateral;
             let inexact = S::Scalar::epsilon().sqrt() * (wanted.abs() + change.abs() + self.speeds[row]);

@@ -9,16 +9,16 @@ use crate::linear::SaddlePoint;
 use crate::number::real::Real;
 use crate::system::state::State;
 
-/// A slip in two directions begins with so many times what is lost in the errors of velocities, so that they
-/// turn it by no more than the inverse of that.
+/// The slip at which a slip in two directions begins, in errors of velocities. These turn it by no more than
+/// the inverse of this number.
 const LAUNCHED: f64 = 16.0;
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
 where
     S: Switching<N, K, C, W>,
 {
-    /// Velocities with the smallest slip that has a direction for the motion, in the directions in which
-    /// slips begin: that of their accelerations, which friction against these directions leaves.
+    /// Velocities with the smallest slip whose direction the motion knows, in the directions in which slips
+    /// begin. These are the directions of their accelerations under friction against them.
     #[cold]
     pub(super) fn begun(
         &self,
@@ -58,7 +58,7 @@ where
                 let rates = [row, other].map(|row| self.rate(row, &balance.accelerations));
                 let speed = rates[0].hypot(rates[1]);
                 let noise = rounding::<S::Scalar>() * extent(&self.gradients[row], &sizes.accelerations);
-                // Where nothing accelerates the slip, it goes where the force drives it.
+                // If nothing accelerates the slip, it takes the direction of the force that drives it.
                 if !above(speed, noise) {
                     continue;
                 }
@@ -79,8 +79,8 @@ where
         Some(velocities)
     }
 
-    /// The time that slips need which begin, until they have grown to those of `velocities`. Where that is so
-    /// long that accelerations are others by then than they are now, it is not known.
+    /// The time in which slips that begin grow to those of `velocities`. It is unknown if it is so long that
+    /// accelerations change meanwhile.
     #[cold]
     pub(super) fn later(
         &self,
@@ -96,7 +96,7 @@ where
             let [a, b] = rows.map(|row| extent(&self.gradients[row], &sizes.accelerations));
             let (speed, strength) = (turn_x.hypot(turn_y), most(a, b));
             let time = x.hypot(y) / speed;
-            // The motion as a whole changes in the time that its speed is of its accelerations.
+            // The time scale of the motion as a whole is its speed over its acceleration.
             let whole = most(self.speeds[rows[0]], self.speeds[rows[1]]);
             if !time.is_finite() || above(time * strength * strength, whole * speed) {
                 return None;
@@ -106,7 +106,7 @@ where
         Some(later)
     }
 
-    /// What velocities change at a row.
+    /// The change of the rate of a row by velocities.
     pub(super) fn change(&self, row: usize, velocities: &[S::Scalar; N]) -> S::Scalar {
         let change = core::array::from_fn(|i| velocities[i] - self.state.v[i]);
         self.gradients.get(row).map_or(num_traits::Zero::zero(), |gradient| product(gradient, &change))

@@ -1,4 +1,4 @@
-//! What a motion remembers whose equations switch.
+//! The memory of a motion whose equations switch.
 
 use core::fmt;
 
@@ -11,11 +11,11 @@ use crate::system::error::Cause;
 use crate::system::method::Steps;
 use crate::system::state::State;
 
-/// What [`Hybrid`](super::Hybrid) remembers between steps: `I` the system of a regime with constants `X`, `J`
-/// the memory of the method that runs in it.
+/// The memory of [`Hybrid`](super::Hybrid) between steps. `I` is the system of a regime, `X` its constants,
+/// and `J` the memory of the method that runs in it.
 #[derive(Clone, Copy)]
 pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usize> {
-    /// The regime of the last piece and of what `inner` knows.
+    /// The regime of the last piece and of the knowledge in `inner`.
     pub(super) regime: Regime<R, C, W>,
     pub(super) in_regime: I,
     pub(super) constants: X,
@@ -30,7 +30,7 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) impulses: [R; C],
     /// The accelerations on the way to it.
     pub(super) way: [R; N],
-    /// Whether the piece is such a way, which no method has gone.
+    /// Whether the piece is such a way, which no method has taken.
     pub(super) is_way: bool,
     /// Whether the motion has to find its regime first.
     pub(super) is_fresh: bool,
@@ -43,7 +43,7 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) flips: [usize; W],
     /// Changes of the regime since then.
     pub(super) changes: usize,
-    /// What the regimes before have cost.
+    /// The costs of the regimes before.
     pub(super) counts: Steps,
 }
 
@@ -68,8 +68,8 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         State { t, ..state }
     }
 
-    /// Makes the way to the state that follows a piece of its own. Where that state is not later than the
-    /// piece there is none.
+    /// Makes a piece of its own of the way to the state that follows a piece. There is none if that state is
+    /// not later than the piece.
     pub(super) fn go_on_way(&mut self) -> bool {
         let from = self.end.t;
         self.is_way = self.after().t != from;

@@ -1,9 +1,9 @@
 //! Systems whose equations switch: kinks in a description, unilateral contacts, dry friction.
 //!
-//! In one *mode* the equations are smooth. A mode says which rows are constraints at present (a closed
+//! In one *regime* the equations are smooth. A regime says which rows are constraints at present (a closed
 //! contact, a sticking friction), in which direction a friction slips, and on which side of each kink the
-//! motion is. Rows that are not active stay in the saddle-point system and have no say in it, so one piece of
-//! generated code serves all modes: code for each would be exponential.
+//! motion is. Rows that are not active stay in the saddle-point system and have no effect. So one piece of
+//! generated code serves all regimes: code for each would be exponential.
 //!
 //! Brogliato, *Nonsmooth Mechanics*, 3rd ed.; Glocker, *Set-Valued Force Laws*; Acary and Brogliato,
 //! *Numerical Methods for Nonsmooth Dynamical Systems*.
@@ -45,7 +45,7 @@ pub use hybrid::Hybrid;
 pub use memory::HybridMemory;
 pub use steps::StepsMemory;
 
-/// What a row of the constraint matrix stands for.
+/// The meaning of a row of the constraint matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Row {
     /// A constraint that always holds.
@@ -54,31 +54,32 @@ pub enum Row {
     Unilateral,
     /// A slip velocity that is zero while the friction sticks, and its multiplier the friction force.
     Friction {
-        /// The row whose reaction, or the load, that limits it; without one the limit is given.
+        /// The row whose reaction, or the load, limits it. Without one the limit is given.
         normal: Option<usize>,
         /// The other component of a slip in two directions. The first of the two carries the direction.
         pair: Option<usize>,
     },
-    /// No constraint: the size of a force that several reactions make together, which limits friction, or
-    /// what it is made of. Its multiplier follows from those of the others.
+    /// No constraint: the size of a force that several reactions make together and that limits friction, or a
+    /// term of that size. Its multiplier follows from those of the others.
     Load,
 }
 
-/// A mode: one piece of the equations.
+/// A regime: one piece of the equations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Regime<R, const C: usize, const W: usize> {
     /// Which rows are constraints.
     pub active: [bool; C],
-    /// The sign of the slip velocity of a friction that slips, zero of one that does not. Of a slip in two
-    /// directions, in the row of the first: one if it slips.
+    /// The sign of the slip velocity of a friction that slips, zero of one that does not. For a slip in two
+    /// directions it stands in the row of the first: one if it slips.
     pub slip: [R; C],
-    /// The sign of a reaction that limits friction: one of a contact, either one of a bilateral constraint.
+    /// The sign of a reaction that limits friction: one for a contact, either sign for a bilateral
+    /// constraint.
     pub side: [R; C],
     /// On which side of its kink each switching function is: one or minus one.
     pub kinks: [R; W],
 }
 
-/// What decides about modes, at a state: the numbers of all rows, active or not.
+/// The numbers that decide about regimes, at a state: those of all rows, active or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Laws<R, const C: usize, const W: usize> {
     /// Gaps, rates and slip velocities, with the sizes of their summands.
@@ -98,9 +99,9 @@ pub struct Laws<R, const C: usize, const W: usize> {
 /// Coefficients of friction in one direction of each slip; see [`Laws`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficients<R, const C: usize> {
-    /// Of friction that slips.
+    /// Coefficients of friction that slips.
     pub kinetic: [R; C],
-    /// Of friction that sticks, against slipping in this direction.
+    /// Coefficients of friction that sticks, against slipping in this direction.
     pub fixed: [R; C],
 }
 
@@ -115,7 +116,7 @@ pub struct Functions<T, const C: usize, const W: usize> {
     pub kinks: [T; W],
 }
 
-/// Which of the functions of a regime are asked for: the others are zero.
+/// The functions of a regime that are wanted. The others are zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wanted<const C: usize, const W: usize> {
     /// Gaps and slip velocities.
@@ -128,28 +129,28 @@ pub struct Wanted<const C: usize, const W: usize> {
 
 /// A system whose equations switch, with `C` rows of constraints and `W` kinks.
 pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usize>: System<N, K> {
-    /// The equations in one mode.
+    /// The equations in one regime.
     type InRegime: System<N, K, Scalar = Self::Scalar> + Copy + core::fmt::Debug;
 
-    /// What the rows stand for, in the order of `NAMES.constraints`.
+    /// The meanings of the rows, in the order of `NAMES.constraints`.
     const ROWS: [Row; C];
 
     /// Contacts whose restitution is Poisson's.
     const POISSON: [bool; C] = [false; C];
 
-    /// Whether time stands in none of the equations and laws: what is at rest then stays so.
+    /// Whether none of the equations and laws contains time: then rest lasts.
     const AUTONOMOUS: bool = false;
 
-    /// Coordinates and velocities that stand in the functions of regimes.
+    /// The coordinates and velocities that the functions of regimes contain.
     const GUARDED: [[bool; N]; 2] = [[true; N]; 2];
 
-    /// The user's function that each kink stands in.
+    /// The user's function that contains each kink.
     const KINKS: [Name; W] = [Name::NONE; W];
 
-    /// The equations in a mode.
-    fn in_regime(&self, mode: &Regime<Self::Scalar, C, W>) -> Self::InRegime;
+    /// The equations in a regime.
+    fn in_regime(&self, regime: &Regime<Self::Scalar, C, W>) -> Self::InRegime;
 
-    /// What decides about modes at a state.
+    /// The numbers that decide about regimes, at a state.
     fn laws_at(
         &self,
         t: Self::Scalar,
@@ -158,8 +159,8 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         u: &[Self::Scalar; K],
     ) -> Laws<Self::Scalar, C, W>;
 
-    /// The functions whose zeros end a regime, over numbers of another kind: values with their roundings, or
-    /// polynomials in time. `number` makes one of a parameter.
+    /// The functions whose zeros end a regime, over numbers of another kind: values with their rounding
+    /// errors, or polynomials in time. `number` makes one of a parameter.
     fn functions_in<T: Real>(
         in_regime: &Self::InRegime,
         number: impl Fn(Self::Scalar) -> T,
@@ -194,7 +195,7 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         None
     }
 
-    /// What the energy gains where each switching function passes zero upwards, and Σ |summands| of the
+    /// The gain of the energy where each switching function passes zero upwards, and Σ |summands| of the
     /// energy.
     fn jumps_at(
         &self,
@@ -207,8 +208,8 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
     }
 
     /// Visits momenta and rates of constraints that have two values where a switching function is zero: the
-    /// number of the function, what is gained where it passes zero upwards, and Σ |summands| of the momentum
-    /// or rate.
+    /// number of the function, the gain where it passes zero upwards, and Σ |summands| of the momentum or
+    /// rate.
     fn corners_at(
         &self,
         _t: Self::Scalar,
@@ -220,7 +221,7 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
     }
 
     /// Visits gaps and constraints that have two values where a switching function is zero: the number of the
-    /// function, the row, and what it gains where the function passes zero upwards.
+    /// function, the row, and the gain where the function passes zero upwards.
     fn breaks_at(
         &self,
         _t: Self::Scalar,
@@ -231,7 +232,7 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
     ) {
     }
 
-    /// The equations of a mode at a state, factored; `None` of a system without contacts.
+    /// The equations of a regime at a state, factored; `None` for a system without contacts.
     fn equations_in(
         _in_regime: &Self::InRegime,
         _t: Self::Scalar,
@@ -242,7 +243,7 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         None
     }
 
-    /// What [`equations_in`](Self::equations_in) knows without factors.
+    /// The part of [`equations_in`](Self::equations_in) that needs no factors.
     fn rows_in(
         in_regime: &Self::InRegime,
         t: Self::Scalar,
@@ -262,7 +263,7 @@ impl<R: Real, const C: usize, const W: usize> Regime<R, C, W> {
         if self.active.get(row).copied().unwrap_or(false) { R::one() } else { R::zero() }
     }
 
-    /// All contacts open, nothing that sticks or slips; every switching function positive.
+    /// All contacts open, no friction that sticks or slips; every switching function positive.
     pub fn open(rows: &[Row; C]) -> Self {
         Self {
             active: rows.map(|row| row == Row::Bilateral),

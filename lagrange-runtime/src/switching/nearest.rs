@@ -9,7 +9,7 @@ use super::scene::{above, most, product, rounding};
 use crate::linear::Lu;
 use crate::number::real::Real;
 
-/// The y of the shortest x; `None` where no x is that near. Rows that are zero ask for nothing.
+/// The y of the shortest x; `None` where no x is that near. Rows of zeros demand nothing.
 pub(super) fn nearest<R: Real, const C: usize>(rows: &[[R; C]; C], bounds: &[R; C]) -> Option<[R; C]> {
     let (zero, one) = (R::zero(), R::one());
     // Rows of unit length, and the largest of the bounds for a unit.
@@ -39,7 +39,7 @@ pub(super) fn nearest<R: Real, const C: usize>(rows: &[[R; C]; C], bounds: &[R; 
             return above(rest, rounding()).then(|| core::array::from_fn(|j| u[j] / rest * far * scales[j]));
         };
         enters[j] = true;
-        // Back to where the first of them is zero, as long as one would be negative.
+        // Goes back to where the first of them is zero, as long as one would be negative.
         while enters.contains(&true) {
             let matrix = core::array::from_fn(|i| {
                 core::array::from_fn(|j| match (enters[i] && enters[j], i == j) {

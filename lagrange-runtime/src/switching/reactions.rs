@@ -1,9 +1,9 @@
 //! Reactions that guards are made of: at a state, and along the polynomial of a step.
 //!
-//! The series of a motion has those of its reactions, from the same solution of each order. What bears
-//! nothing, as one of three feet does whose load is on the line between the others, is known no better than
-//! the load. So the bound of roundings is made of the forces that a reaction is the difference of, order by
-//! order.
+//! The series of a motion contains those of its reactions, from the same solution of each order. A reaction
+//! that is zero is known no better than the load: one of three feet bears nothing, for example, if the load
+//! is on the line between the others. So the bound of its rounding errors is made of the forces that the
+//! reaction is the difference of, order by order.
 
 use super::guards::Guards;
 use super::scene::{against, entry, most, product, rounding};
@@ -15,10 +15,10 @@ use crate::series::taylor::{TERMS, Taylor};
 use crate::system::method::Terms;
 use crate::system::state::State;
 
-/// What is borne along a step.
+/// The reactions along a step.
 pub(super) struct Borne<R, const N: usize, const C: usize> {
-    /// What roundings of the forces make of velocities until the end of the step: an acceleration may be a
-    /// small difference of them, as where a slip begins, so that its own size tells nothing.
+    /// The effect of rounding errors of the forces on velocities until the end of the step. An acceleration
+    /// may be a small difference of forces, as where a slip begins, so that its own size tells nothing.
     pub(super) roundings: [R; N],
     /// The reactions as polynomials of the part that has passed.
     pub(super) reactions: [Taylor<R>; C],
@@ -33,7 +33,7 @@ struct Levers<R, const N: usize, const C: usize> {
     units: [R; N],
 }
 
-/// Coordinates that each row meets, by itself or through other rows.
+/// The coordinates that each row affects, by itself or through other rows.
 type Reach<const N: usize, const C: usize> = [[bool; N]; C];
 
 impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
@@ -41,7 +41,7 @@ impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
         Self { rows: gradients.map(|row| core::array::from_fn(|i| row[i] * units[i])), units }
     }
 
-    /// A row that drives friction may meet any coordinate through it.
+    /// A row that drives friction may affect any coordinate through it.
     fn reach(&self, drives: impl Fn(usize) -> bool) -> Reach<N, C> {
         let mut reach = core::array::from_fn(|row| {
             let drives = drives(row);
@@ -71,9 +71,9 @@ impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
         })
     }
 
-    /// What reactions of these sizes are differences of, beside other `forces` in these units. Roundings of
-    /// coordinates turn forces in the metric of the masses: each direction has its part of those of all
-    /// others.
+    /// The forces that reactions of these sizes are differences of, beside other `forces` in these units.
+    /// Rounding errors of coordinates turn forces in the metric of the masses: each direction gets a part of
+    /// the others.
     fn sizes(&self, reach: &Reach<N, C>, reactions: &[R; C], forces: &[R; N]) -> [R; C] {
         let forces = self.with(reactions, forces);
         core::array::from_fn(|row| {
@@ -160,7 +160,7 @@ where
         [multipliers, sizes]
     }
 
-    /// What is borne along a step, whose length has these powers.
+    /// The reactions along a step, whose length has these powers.
     pub(super) fn borne(
         &self,
         start: &State<S::Scalar, N>,
@@ -201,7 +201,7 @@ where
         for (order, ((row, speeds), &power)) in rows().zip(terms.v).zip(powers).enumerate() {
             let size = power.abs();
             place += num_traits::One::one();
-            // What accelerates is borne as well.
+            // Forces that accelerate count as well.
             for (force, (&speed, &pace)) in forces.iter_mut().zip(speeds.iter().zip(&paces)) {
                 *force += size * (place * speed * pace).abs();
             }
@@ -220,7 +220,7 @@ where
             }
         }
         let mut sizes = levers.sizes(&levers.reach(|row| self.drives(row)), &sums, &forces);
-        // What loads are made of their factors tell.
+        // The factors bound the sizes of loads.
         if S::ROWS.contains(&Row::Load)
             && let Some(equations) = self.equations(start)
         {

@@ -1,10 +1,9 @@
 //! Infinitely many impacts in finite time.
 //!
 //! The impacts of a ball that bounces come ever faster, and so do those of a block that rocks from corner to
-//! corner. Their times are geometric, so that what is left of the motion after an impact is about as short as
-//! it is low. Where a contact opens more slowly than the tolerance allows to tell, although forces close it
-//! again, all impacts that would follow are taken together with this one and it stays closed. Rest is rest
-//! then.
+//! corner. Their times are geometric: the lower the bounces, the shorter is the rest of them. A contact may
+//! open so slowly that the tolerance cannot tell, while forces close it again. Then all impacts that would
+//! follow are taken together with this one, and the contact stays closed and at rest.
 
 use super::impact::Struck;
 use super::scene::{Scales, Scene, Status, above, most};
@@ -21,9 +20,9 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// Takes away what is left of velocities at which contacts close that touch and stay open in a regime, in
-    /// the metric of the kinetic energy. It is rounding, but however small it is, it would close them at once
-    /// again.
+    /// Removes the closing velocities of contacts that touch and stay open in a regime, in the metric of the
+    /// kinetic energy. They are rounding errors, but the smallest of them would close the contacts again at
+    /// once.
     pub(super) fn part(&self, regime: &Regime<S::Scalar, C, W>, state: &mut State<S::Scalar, N>) {
         let touches = |row: usize| {
             S::ROWS[row] == Row::Unilateral && self.status[row] == Status::Touches && !regime.active[row]
@@ -50,7 +49,7 @@ where
         }
     }
 
-    /// Why a motion with derivatives ends where impacts are taken together.
+    /// The cause of the end of a motion with derivatives where impacts are taken together.
     #[cold]
     pub(super) fn accumulation(&self) -> Cause {
         let opens = |row: &usize| self.is_closed[*row] && self.status[*row] == Status::Apart;
@@ -59,8 +58,8 @@ where
     }
 
     /// The velocities with those contacts closed that an impact would open for a negligible time only, and
-    /// the impulses that close them; `None` where no contact is of this kind. The scene is one without an
-    /// impact, which goes on with these accelerations.
+    /// the impulses that close them. `None` where no contact is of this kind. The scene is one without an
+    /// impact; the motion goes on with these accelerations.
     pub(super) fn gathered(
         &self,
         accelerations: &[S::Scalar; N],
@@ -97,7 +96,7 @@ where
             let holds = match kind {
                 Row::Bilateral | Row::Load => false,
                 Row::Unilateral => slow[row] || self.status[row] == Status::Touches,
-                // What sticks at one of them goes on to stick.
+                // Friction that sticks at one of them goes on to stick.
                 Row::Friction { normal: Some(_), .. } => self.status[row] == Status::Rests,
                 Row::Friction { normal: None, .. } => false,
             };

@@ -14,17 +14,17 @@ use crate::system::limits::Limits;
 use crate::system::method::Adaptive;
 use crate::system::state::State;
 
-/// Changes of regimes without any time between them, for each row and kink, until they count as endless.
+/// The most changes of regime without any time between them, for each row and kink. More count as endless.
 pub(super) const CHANGES: usize = 4;
 
 /// The part of a piece at which its guard is compared with the end, for its slope.
 const EARLIER: f64 = 1.0 - 1e-3;
 
-/// Where a guard has fired.
+/// The place where a guard has fired.
 struct Event<R, const N: usize> {
     state: State<R, N>,
     guard: Guard,
-    /// How long after the zero of the guard the time of the state is, which is rounded.
+    /// The delay of the time of the state after the zero of the guard, since times are rounded.
     late: R,
 }
 
@@ -59,9 +59,9 @@ where
         memory.is_way = false;
     }
 
-    /// What follows a state: its impact, the regime that goes on, and the state projected onto that, so much
-    /// later as the time of the state is rounded. Where a slip in two directions begins it may be a little
-    /// later yet.
+    /// The regime and the state that follow a state: after its impact, projected onto the regime, and moved
+    /// by the delay of the time that is rounded. If a slip in two directions begins, the state may be a
+    /// little later yet.
     pub(super) fn settle(
         &mut self,
         state: &mut State<S::Scalar, N>,
@@ -107,7 +107,7 @@ where
                 *seen = most(*seen, now.abs());
             }
             self.memory.way = choice.accelerations;
-            // The time of a state is a number alone: what it varies by is in `late`.
+            // The time of a state is a number alone: its variation is in `late`.
             state.t = state.t.part(0);
             if choice.later.is_positive() {
                 let later = choice.later.part(0);
@@ -165,7 +165,7 @@ where
                 return Ok(());
             }
             if rests && S::InRegime::CONSTRAINED {
-                // Nothing bounds the length of a step by that of one before it.
+                // The length of the next step is not bounded by that of the last one.
                 M::restart(&mut self.memory.inner, here);
             }
             let memory = &mut *self.memory;
@@ -182,7 +182,7 @@ where
             let Some(Event { state, guard, late }) = found else {
                 let laws = self.system.laws_at(end.t, &end.q, &end.v, &self.control.0);
                 self.memory.scales.see(&laws);
-                // Whatever a polynomial has not shown, no step ends behind a contact that is open.
+                // No step ends behind a contact that is open, even if a polynomial has missed it.
                 if let Some(cause) = self.missed(&laws) {
                     self.memory.end = start;
                     self.memory.stuck = Some(cause);
@@ -208,7 +208,7 @@ where
         }
     }
 
-    /// A gap of an open contact that is negative by more than what a start may penetrate.
+    /// A gap of an open contact that is negative by more than a start may penetrate.
     fn missed(&self, laws: &super::Laws<S::Scalar, C, W>) -> Option<Cause> {
         let share = S::Scalar::from_f64(1.0 / 16.0) * S::Scalar::epsilon().sqrt();
         (0..C).find_map(|row| {
@@ -223,7 +223,7 @@ where
         })
     }
 
-    /// Whether time has passed that is more than rounding; forgets the changes before it if so.
+    /// Whether more time has passed than rounding. If so, the changes before it are forgotten.
     fn passed(&mut self, from: S::Scalar, to: S::Scalar) -> bool {
         let resolution = S::Scalar::from_f64(16.0) * S::Scalar::epsilon() * from.abs();
         let has_passed = (to - from).abs() > resolution;
@@ -265,7 +265,7 @@ where
         let mut first = fall
             .as_ref()
             .map(|((fall, guard), sizes, ..)| (guards.at_zero(*guard, *fall, sizes, &mut at), *guard));
-        // The time since the start that a part of the step is, without the rounding of times.
+        // The time from the start to this part of the step, without the rounding of times.
         let mut passed = first.zip(fall).map(|((part, _), (.., length, residue))| part * length + residue);
         let until = first.map_or(one, |(part, _)| part);
         let sampled = guards.first(&memory.scales, [start.t, end.t], until, attempts, &mut at)?;
@@ -273,7 +273,7 @@ where
             (first, passed) = (sampled, None);
         }
         let Some((part, guard)) = first else { return Ok(None) };
-        // A state belongs to a time that has been rounded; how much that is, the guard tells.
+        // A state belongs to a rounded time. The guard tells how much rounding has moved it.
         let mut at_time = |part: S::Scalar| {
             let t = start.t + part * (end.t - start.t);
             let is_beyond =
@@ -307,7 +307,7 @@ where
                 fired = Some(row);
             }
         }
-        // A slip in two directions has turned by a right angle: the step goes on from there.
+        // If a slip in two directions has turned by a right angle, the step goes on from there.
         let mut regime_ends = true;
         if let Some(row) = fired
             && let Some(&Row::Friction { pair: Some(other), .. }) = S::ROWS.get(row)
@@ -316,7 +316,7 @@ where
         {
             (fired, regime_ends) = (None, false);
         }
-        // Back to the event itself.
+        // The state goes back to the event itself.
         let State { t, q, v } = state;
         let mut a =
             self.memory.in_regime.accelerations_at(&self.memory.constants, t, &q, &v, &self.control.0);

@@ -1,16 +1,16 @@
 //! Derivatives through switches.
 //!
-//! Where the start and parameters vary, a guard g is zero at another time: by −δg/ġ later, with ġ its rate
-//! along the motion. That is a time without value, of slopes alone. Varied states go on by so much in the
-//! equations that end, are switched where the guard is zero for each, and come back to the common time in the
-//! equations that begin. Of a switch x ↦ R(x, t) between ẋ = f⁻ and ẋ = f⁺ this is the saltation matrix ∂R +
-//! (f⁺ − ∂R f⁻ − ∂R/∂t) ∇gᵀ / (∇g · f⁻ + ∂g/∂t) (Aizerman and Gantmakher 1958; Filippov, *Differential
-//! Equations with Discontinuous Righthand Sides*; Leine and Nijmeijer, *Dynamics and Bifurcations of
-//! Non-Smooth Mechanical Systems*, chapter 7), which is never written down.
+//! If the start and parameters vary, a guard g is zero at another time: by −δg/ġ later, with ġ its rate along
+//! the motion. That delay has no value, only derivatives. Varied states go on by the delay in the equations
+//! that end, are switched where the guard is zero for each, and come back to the common time in the equations
+//! that begin. For a switch x ↦ R(x, t) between ẋ = f⁻ and ẋ = f⁺ this is the saltation matrix ∂R + (f⁺ − ∂R
+//! f⁻ − ∂R/∂t) ∇gᵀ / (∇g · f⁻ + ∂g/∂t) (Aizerman and Gantmakher 1958; Filippov, *Differential Equations with
+//! Discontinuous Righthand Sides*; Leine and Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical
+//! Systems*, chapter 7), which is never written down.
 //!
-//! There are no derivatives where ġ is zero, and where two guards are zero at once, or one where a contact
-//! touches by chance that has a part in the impact. A motion known to its
-//! tolerance is there if the time of the zero is not known to any digit of ġ, or not which of two is first.
+//! There are no derivatives where ġ is zero, where two guards are zero at once, and where a contact that
+//! touches by chance has a part in an impact. A motion is known to its tolerance only. So there are none
+//! either where that leaves no digit of ġ at the zero, or does not tell which of two zeros comes first.
 
 use super::guards::{Guard, Guards};
 use super::run::Run;
@@ -30,17 +30,17 @@ struct Crossing<R> {
     value: R,
     /// Its rate along the motion.
     rate: R,
-    /// What the tolerance of the motion makes of it.
+    /// The effect of the tolerance of the motion on it.
     noise: R,
 }
 
 impl<R: Real> Crossing<R> {
-    /// By how much later it is zero, without value.
+    /// The delay of its zero, without value.
     fn later(&self) -> R {
         (self.value.part(0) - self.value) / self.rate
     }
 
-    /// For how long the motion does not tell whether it is zero.
+    /// The time for which the motion does not tell whether it is zero.
     fn unknown(&self) -> R {
         if self.noise.is_positive() { self.noise / self.rate.abs() } else { R::zero() }
     }
@@ -52,8 +52,8 @@ where
     S::Scalar: Ordered,
     M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
 {
-    /// By how much later a guard fires, as a time without value, at the state where it has fired with these
-    /// accelerations. `switched` makes of a state that after the switch.
+    /// The delay of a guard, as a time without value, at the state where it has fired with these
+    /// accelerations. `switched` gives the state after the switch.
     #[cold]
     pub(super) fn varied(
         &mut self,
@@ -73,7 +73,7 @@ where
             Some(Cause::Grazes { switch, name })
         };
         let Some(doubt) = doubt else { return self.directed(guard, crossing.later()) };
-        // Where nothing jumps, it does not matter when.
+        // If nothing jumps, the time of the switch does not matter.
         let mut after = *state;
         let regime = switched(self, &mut after)?;
         let in_regime = self.system.in_regime(&regime);
@@ -86,8 +86,8 @@ where
         if pairs.into_iter().all(|(&x, &y)| stays(x, y)) { Ok(num_traits::Zero::zero()) } else { Err(doubt) }
     }
 
-    /// The time by which a guard fires later, if the motion goes on from there. A load has no direction where
-    /// it is zero, so that its slopes are made of roundings.
+    /// The delay of a guard, if the motion goes on from there. A load has no direction where it is zero, so
+    /// its slopes are made of rounding errors.
     fn directed(&self, guard: Guard, later: S::Scalar) -> Result<S::Scalar, Cause> {
         match guard {
             Guard::Row(row) if S::ROWS.get(row) == Some(&Row::Load) => {
@@ -100,8 +100,8 @@ where
         }
     }
 
-    /// Where a slip in two directions ends it has lost its direction, and friction with it: accelerations are
-    /// those that the motion comes with.
+    /// Completes accelerations where a slip in two directions ends: it has lost its direction, and friction
+    /// with it, so the accelerations are those with which the motion arrives.
     pub(super) fn complete(&self, guard: Guard, a: &mut [S::Scalar; N], t: S::Scalar) {
         let turns = |row: usize| {
             matches!(S::ROWS[row], Row::Friction { pair: Some(_), .. }) && !self.memory.regime.active[row]
@@ -185,7 +185,8 @@ where
         above(crossing.rate.abs(), (crossing.rate - before).abs())
     }
 
-    /// Another guard that falls through zero at the same time as far as is known, and that varies otherwise.
+    /// Another guard that, as far as is known, falls through zero at the same time, and that varies
+    /// otherwise.
     fn coincidence(
         &self,
         guard: Guard,
@@ -216,8 +217,8 @@ where
     S: Switching<N, K, C, W>,
 {
     /// Why an impact with these impulses has no derivatives: a contact beside the one that has fired has a
-    /// part in it, and its gap varies. Of motions beside this one it is open at the time of the impact, and
-    /// is struck after it, if at all. The gap of a contact that holds does not vary.
+    /// part in it, and its gap varies. In varied motions that contact is open at the time of the impact, and
+    /// is struck later, if at all. The gap of a contact that holds does not vary.
     #[cold]
     pub(super) fn struck_together(
         &self,
@@ -250,8 +251,8 @@ where
     }
 }
 
-/// The rate of a guard along the motion: its derivative in the direction of velocities and accelerations.
-/// Parameters may have derivatives in that direction as well, and what these give is taken off again.
+/// The rate of a guard along the motion: its derivative in the direction of velocities and accelerations. The
+/// contribution of parameters that have derivatives in that direction is subtracted.
 fn rate<S, const N: usize, const K: usize, const C: usize, const W: usize>(
     guards: &Guards<'_, S, N, K, C, W>,
     guard: Guard,
@@ -275,7 +276,7 @@ where
     };
     let still = along(num_traits::Zero::zero());
     let first = along(one) - still;
-    // So fast that what is taken off is not larger.
+    // The direction is so long that the subtracted part is not larger.
     let least = S::Scalar::epsilon() * still.abs();
     let pace = still.abs() / most(first.abs(), least);
     if above(pace, one) { (along(pace) - still) / pace } else { first }

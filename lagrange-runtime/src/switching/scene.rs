@@ -1,4 +1,4 @@
-//! What stands still and what moves at the rows of a system, at one state.
+//! Rows of a system that stand still and rows that move, at one state.
 
 use super::{Coefficients, Laws, Regime, Row, Switching};
 use crate::number::real::Real;
@@ -59,7 +59,7 @@ impl<R: Real, const C: usize> Scales<R, C> {
         Self { gaps: none, speeds: none, impacts: none, reactions: none, relative: R::zero() }
     }
 
-    /// The part of a speed below which a slip in two directions has none that the motion knows: errors of its
+    /// The part of a speed below which a slip in two directions has no known direction: errors of its
     /// velocities have any direction.
     pub(super) fn lost(&self) -> R {
         most(self.relative, rounding())
@@ -84,7 +84,7 @@ impl<R: Real, const C: usize> Scales<R, C> {
     }
 }
 
-/// Those of coefficients forward and backward that are against a slip in the direction of this sign.
+/// The coefficients, of those forward and backward, that act against a slip in the direction of this sign.
 pub(super) fn against<R: Real, const C: usize>(
     [forward, backward]: &[Coefficients<R, C>; 2],
     slip: R,
@@ -92,7 +92,7 @@ pub(super) fn against<R: Real, const C: usize>(
     if (-slip).is_positive() { backward } else { forward }
 }
 
-/// What a row does at a state.
+/// The state of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Status {
     /// A constraint that always holds.
@@ -109,18 +109,18 @@ pub(super) enum Status {
     Slips,
 }
 
-/// What is known of a state beside its numbers.
+/// The knowledge of a state beside its numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Known<const C: usize> {
-    /// Gaps that are zero whatever rounding says.
+    /// Gaps that count as zero whatever their rounding errors are.
     pub(super) closed: [bool; C],
     /// The row whose guard has led here: its gap or its slip velocity is zero.
     pub(super) fired: Option<usize>,
-    /// Whether impacts are over: what is left of closing velocities is rounding.
+    /// Whether impacts are over: the closing velocities that are left are rounding errors.
     pub(super) settled: bool,
 }
 
-/// A state, and all that decides about its regime.
+/// A state with all numbers that decide about its regime.
 pub(super) struct Scene<'a, S, const N: usize, const K: usize, const C: usize, const W: usize>
 where
     S: Switching<N, K, C, W>,
@@ -199,7 +199,7 @@ where
         scene
     }
 
-    /// Whether a row is a gap of zero, up to the roundings of its own, and to those of time.
+    /// Whether a row is a gap of zero, up to its own rounding errors and the effect of those of time.
     fn closes(&self, row: usize, scales: &Scales<S::Scalar, C>, known: &Known<C>) -> bool {
         let rows = &self.laws.rows;
         let gap = most(scales.gaps[row], rows.position_sizes[row]);
@@ -207,7 +207,7 @@ where
         S::ROWS[row] == Row::Unilateral && (known.fired == Some(row) || known.closed[row] || is_zero)
     }
 
-    /// What a gap changes in the roundings of time.
+    /// The change of a gap by the rounding errors of time.
     pub(super) fn by_time(&self, row: usize) -> S::Scalar {
         S::Scalar::from_f64(8.0) * S::Scalar::epsilon() * self.state.t.abs() * self.laws.rows.rates[row].abs()
     }
@@ -244,8 +244,8 @@ where
         }
     }
 
-    /// Takes away what is left of velocities that contacts have stopped: it has no digits, and a series none
-    /// by which to find its scale.
+    /// Removes velocities that contacts have stopped. The remainder has no digits, and no series could find
+    /// its scale.
     pub(super) fn still(&self, v: &mut [S::Scalar; N]) {
         let zero: S::Scalar = num_traits::Zero::zero();
         let fastest = self.units.iter().zip(&self.state.v).fold(zero, |fastest, (&unit, &v)| {

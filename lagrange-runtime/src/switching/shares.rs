@@ -1,7 +1,7 @@
-//! How rows share what they bear, where the motion does not tell.
+//! The shares of rows in a load, where the motion does not determine them.
 //!
 //! A table on four legs, or a ladder between rough surfaces, has more reactions than equations. Contacts push
-//! and friction has its limits, so not all reactions that give the motion are possible. Of those that are,
+//! and friction has its limits, so only some of the reactions that give the motion are possible. Among these,
 //! the ones of least Σ λ² are taken, as for constraints that depend on each other.
 
 use super::choice::{Choice, is_limit};
@@ -17,8 +17,8 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// The regime in which everything holds that may bear: what touches and rests, whether it bears in this
-    /// choice or not. What slips there slips.
+    /// The regime in which every row holds that may bear: contacts that touch and friction at rest, whether
+    /// they bear in this choice or not. Friction that slips goes on to slip.
     pub(super) fn bearing(&self, choice: &Choice<S::Scalar, N, C, W>) -> Regime<S::Scalar, C, W> {
         let zero = num_traits::Zero::zero();
         let stays = |row: usize| {
@@ -61,8 +61,8 @@ where
         })
     }
 
-    /// The frictions that slip in a regime at these velocities, for each unit of the reactions that drive
-    /// them, or as they are where their size is given; zero of what does not slip.
+    /// The forces of frictions that slip in a regime at these velocities, per unit of the reactions that
+    /// drive them, or as they are if their size is given; zero for others.
     pub(super) fn drags(&self, regime: &Regime<S::Scalar, C, W>, v: &[S::Scalar; N]) -> [S::Scalar; C] {
         let State { t, q, .. } = &self.state;
         let laws = self.system.laws_at(*t, q, v, self.inputs);
@@ -82,9 +82,9 @@ where
         })
     }
 
-    /// The shortest of all reactions that are possible and give the same motion as these; `drags` are the
-    /// frictions that slip, for each unit of the reactions that drive them. `None` of loads, which are sizes
-    /// of forces, so that what is possible is no convex set.
+    /// The shortest of all possible reactions that give the same motion as these. `drags` are the frictions
+    /// that slip, per unit of the reactions that drive them. `None` where there are loads: they are sizes of
+    /// forces, so the possible reactions are no convex set.
     #[cold]
     pub(super) fn shortest(
         &self,
@@ -122,7 +122,7 @@ where
                 let Some((cut, bound)) = self.cut(row, bearing, &toward) else { continue };
                 let held = project(&cut);
                 let rest: [S::Scalar; C] = core::array::from_fn(|i| cut[i] - held[i]);
-                // What the motion determines is not to be chosen.
+                // A reaction that the motion determines cannot be chosen.
                 let share = S::Scalar::epsilon().sqrt();
                 if above(product(&rest, &rest), share * share * product(&cut, &cut)) {
                     (free[row], lacks[row]) = (rest, bound - product(&cut, &base));
@@ -143,7 +143,7 @@ where
                     _ => found[row],
                 }));
             }
-            // A friction at its limit has the direction that it would have without.
+            // A friction at its limit has the direction that it would have without the limit.
             let cuts: [_; C] = core::array::from_fn(|row| self.cut(row, bearing, &toward));
             let mut next = found;
             for (row, (cut, &push)) in cuts.iter().zip(&pushes).enumerate() {
@@ -174,8 +174,8 @@ where
         rows
     }
 
-    /// What a row allows: all multipliers whose product with the first is no less than the second. Of a
-    /// friction in the direction that it has among these multipliers.
+    /// The limit of a row: all multipliers whose product with the first is no less than the second. A
+    /// friction has the direction that it has among these multipliers.
     fn cut(
         &self,
         row: usize,

@@ -1,7 +1,7 @@
 //! Time counted from the beginning of a step.
 //!
-//! After a while time is known no better than to a part of a short step, in `f32` soon. What happens within
-//! the step is not a matter of that: here only the equations see what time it is.
+//! After a while, in `f32` soon, time is known no better than to a part of a short step. Events within a step
+//! do not suffer from that: here only the equations see the full time.
 
 use super::{Coefficients, Functions, Laws, Regime, Row, Switching, Wanted};
 use crate::constraints::Equations;
@@ -30,7 +30,7 @@ pub struct InRegimeSince<I, R> {
 }
 
 impl<I, R: Real> InRegimeSince<I, R> {
-    /// What is done with a state at the time that it is.
+    /// Runs a function on a state at its full time.
     fn moved<T, const N: usize>(
         &self,
         state: &mut State<R, N>,
@@ -197,8 +197,8 @@ where
     const AUTONOMOUS: bool = S::AUTONOMOUS;
     const KINKS: [Name; W] = S::KINKS;
 
-    fn in_regime(&self, mode: &Regime<S::Scalar, C, W>) -> Self::InRegime {
-        InRegimeSince { in_regime: self.system.in_regime(mode), instant: self.instant }
+    fn in_regime(&self, regime: &Regime<S::Scalar, C, W>) -> Self::InRegime {
+        InRegimeSince { in_regime: self.system.in_regime(regime), instant: self.instant }
     }
 
     fn laws_at(

@@ -16,12 +16,12 @@ where
     S::Scalar: Ordered,
     M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
 {
-    /// Whether a piece that rests at its ends does so on the way, and has not come back in between.
+    /// Whether a piece that rests at its ends also rests in between, and has not moved away and come back.
     pub(super) fn stays(&mut self) -> bool {
         let memory = &mut *self.memory;
         let (start, end) = (memory.start, memory.end);
         if memory.is_way || M::end(&memory.inner).t != end.t || M::start(&memory.inner).t != start.t {
-            // It has been looked at before.
+            // The piece has been examined before.
             return !memory.is_way;
         }
         let middle = S::Scalar::from_f64(0.5) * (start.t + end.t);
@@ -31,7 +31,7 @@ where
             .is_ok_and(|state| is_at_rest(&start, &state))
     }
 
-    /// Whether what is left of a slip in two directions is less than the tolerance of what it has been.
+    /// Whether a slip in two directions has become less than the tolerance of its former size.
     pub(super) fn rests(&self, row: usize, other: usize, state: &State<S::Scalar, N>) -> bool {
         let rows = self.system.laws_at(state.t, &state.q, &state.v, &self.control.0).rows;
         let scales = &self.memory.scales;
@@ -61,7 +61,7 @@ where
             let falls = -(x * scene.rate(row, &a) + y * scene.rate(other, &a));
             let mut left = (x * x + y * y) / falls;
             if x == num_traits::Zero::zero() && y == num_traits::Zero::zero() {
-                // It is there, and has no direction any more.
+                // The slip is at rest, and has no direction any more.
                 (left, a) = (num_traits::Zero::zero(), [num_traits::Zero::zero(); N]);
             } else if !falls.is_positive() {
                 continue;
@@ -71,7 +71,7 @@ where
             let present = memory.regime;
             let known = Known { closed: present.active, fired: Some(row), settled: false };
             let regime = self.settle(&mut state, &present, known, left.part(0) - left)?;
-            // Where another slip begins at once, that is the way.
+            // If another slip begins at once, that is the way.
             if state.t == t + left.part(0) {
                 self.memory.way = a;
             }
@@ -82,7 +82,7 @@ where
     }
 }
 
-/// Whether nothing moves, but for the roundings of what holds it.
+/// Whether nothing moves, up to the rounding errors of the forces that hold it.
 pub(super) fn is_at_rest<R: Real, const N: usize>(start: &State<R, N>, end: &State<R, N>) -> bool {
     let are_still = [start, end].iter().all(|state| state.v.iter().all(|&v| v == R::zero()));
     let ulps = R::from_f64(4.0) * R::epsilon();

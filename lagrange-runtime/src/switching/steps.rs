@@ -1,8 +1,8 @@
 //! Fixed steps through switches: [`Jet`](crate::Jet) of a system with contacts, friction or kinks.
 //!
-//! A step is one Taylor series. Where a guard falls through zero on it, the step is cut there, the regime
-//! that goes on is chosen, and a series of that goes on to the end of the step. So the state after a step is
-//! one of its regime, and its accuracy that of the order.
+//! A step is one Taylor series. If a guard falls through zero on it, the step is cut there, the next regime
+//! is chosen, and a series of that regime goes on to the end of the step. So the state after a step is one of
+//! its regime, and its accuracy that of the order.
 
 use super::run::Run;
 use super::since::{InRegimeSince, Since};
@@ -18,14 +18,14 @@ use crate::system::method::{Adaptive, FixedStep};
 use crate::system::smooth::Smooth;
 use crate::system::state::State;
 
-/// Series that one step may take.
+/// The most series of one step.
 const PIECES: u64 = 256;
 
-/// What fixed steps through switches remember.
+/// The memory of fixed steps through switches.
 #[derive(Clone, Copy, Debug)]
 pub struct StepsMemory<H, R, const K: usize> {
     motion: H,
-    /// The step before, with the inputs that were held in it; `None` where the motion has to be begun.
+    /// The step before, with the inputs that were held in it. `None` where the motion has not begun.
     last: Option<(R, [R; K])>,
 }
 

@@ -1,4 +1,4 @@
-//! The combinations of what rows may do.
+//! The combinations of activities of rows.
 
 use super::{Regime, Row};
 use crate::number::real::Real;
@@ -6,14 +6,14 @@ use crate::number::real::Real;
 /// The most combinations that are tried: twelve contacts that are open or closed.
 const COMBINATIONS: usize = 4096;
 
-/// What a row does in a regime.
+/// The activity of a row in a regime.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
-    /// Nothing.
+    /// It does nothing.
     Off,
     /// It is a constraint.
     On,
-    /// It is one, and its reaction is negative.
+    /// It is a constraint whose reaction is negative.
     Against,
     /// It slips in its positive direction, or in two directions.
     Forward,
@@ -22,7 +22,7 @@ pub(super) enum Part {
 }
 
 impl Part {
-    /// What a row does in a regime.
+    /// The activity of a row in a regime.
     pub(super) fn of<R: Real, const C: usize, const W: usize>(
         row: usize,
         kind: Row,
@@ -40,7 +40,7 @@ impl Part {
     }
 }
 
-/// What a row may do, what is to be tried first at the beginning.
+/// The possible activities of a row, the one to be tried first at the beginning.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Options {
     parts: [Part; 3],
@@ -102,8 +102,8 @@ pub(super) fn combine<const C: usize>(options: &[Options; C], mut visit: impl Fn
     }
 }
 
-/// The regime of a combination; `None` where it differs from another one in nothing but what a friction does
-/// whose contact is open and not `driven` by an impulse that is known beforehand.
+/// The regime of a combination. `None` where it differs from another one only in a friction whose contact is
+/// open and not `driven` by an impulse that is known beforehand.
 pub(super) fn regime<R: Real, const C: usize, const W: usize>(
     rows: &[Row; C],
     parts: &[Part; C],

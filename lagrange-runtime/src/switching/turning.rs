@@ -10,7 +10,7 @@ use super::Row;
 use super::scene::{above, most};
 use crate::number::real::Real;
 
-/// Steps of a search.
+/// The most steps of a search.
 pub(super) const TURNS: usize = 300;
 
 /// A search for the slips of some rows.
@@ -24,7 +24,7 @@ impl<R: Real, const C: usize> Turning<R, C> {
         Self { last: None }
     }
 
-    /// The share of what they lack by which some slips are to change.
+    /// The share of their lacks by which some slips are to change.
     pub(super) fn share(&mut self, x: &[R; C], lack: &[R; C]) -> R {
         let mut share = R::from_f64(0.25);
         if let Some((before, lacked)) = self.last {

@@ -1,5 +1,5 @@
-//! The end of a step of a constrained batch: on the constraints, lane by lane, where it can be checked
-//! and goes on well.
+//! The end of a step of a constrained batch: on the constraints, lane by lane, at a state that can be checked
+//! and from which the motion goes on well.
 
 use super::Batch;
 use crate::integrator::dop853::add;
@@ -17,11 +17,11 @@ use crate::system::state::State;
 /// A step that is still wrong after all [`PARTS`] is shortened to this part, again and again.
 const HALF: f64 = 0.5;
 
-/// A state and what rounding took from it.
+/// A state and its residue of rounding.
 type Reached<R, const N: usize> = (State<R, N>, State<R, N>);
 
-/// A state, what rounding took from it, and how far it is from right: positive in lanes that have to take
-/// another length.
+/// A state, its residue of rounding, and a measure of its error: positive in lanes that have to take another
+/// length.
 struct Landing<R, const N: usize> {
     state: State<R, N>,
     residue: State<R, N>,
@@ -30,8 +30,7 @@ struct Landing<R, const N: usize> {
 }
 
 impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
-    /// Goes on by `length` \[s], which is without direction, or by other lengths in lanes where that one ends
-    /// badly.
+    /// Goes on by `length` \[s], without direction, or by other lengths in lanes where that one ends badly.
     pub(super) fn land(
         &mut self,
         mut length: S::Scalar,
@@ -54,7 +53,7 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
                     return Ok(length);
                 }
                 Ok(landing) => (landing.excess, Cause::StepTooSmall),
-                // Which lane it is, is not known.
+                // The error does not tell which lane it is.
                 Err(cause) => (num_traits::One::one(), cause),
             };
             let other = match parts.next() {
@@ -80,7 +79,7 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
         let free = state;
         let footing = self.system.land_at(constants, &mut state, None)?;
         for i in 0..N {
-            // What rounding took belongs to the numbers that were rounded.
+            // A residue belongs to the number that was rounded.
             if state.q[i] != free.q[i] {
                 residue.q[i] = num_traits::Zero::zero();
             }
@@ -99,8 +98,7 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
         Ok(Landing { state, residue, least, excess })
     }
 
-    /// The state after `h` \[s], which are `theta` units, as the series tells, and what rounding took from
-    /// it.
+    /// The state after `h` \[s], which are `theta` units, by the series, and its residue of rounding.
     pub(super) fn reached(
         &self,
         h: S::Scalar,
@@ -118,8 +116,8 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
     }
 }
 
-/// By how much a step from a state to another changes the energy, where it is conserved, beyond what errors
-/// of all numbers within the tolerance make of it.
+/// The change of the energy from one state to another, where the energy is conserved, beyond the effect of
+/// errors of all numbers within the tolerance.
 pub(super) fn lost<S: System<N, K>, const N: usize, const K: usize>(
     system: &S,
     constants: &S::Constants,

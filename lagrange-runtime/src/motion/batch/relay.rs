@@ -31,7 +31,7 @@ use crate::system::state::State;
 /// A lane of a scalar.
 type Lane<R> = <R as Real>::Lane;
 
-/// What a lane does.
+/// The activity of a lane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Standing {
     /// It has no motion.
@@ -71,7 +71,7 @@ where
     /// Unit of time of the coefficients \[s], with the direction of the motion; zero if not known.
     unit: S::Scalar,
     state: State<S::Scalar, N>,
-    /// What rounding took from the state.
+    /// The residue of rounding of the state.
     residue: State<S::Scalar, N>,
     /// Where the last step began, and its unit.
     before: (State<S::Scalar, N>, State<S::Scalar, N>, S::Scalar),
@@ -107,8 +107,8 @@ where
         }
     }
 
-    /// Why such a system cannot run in lanes: its lanes would depend on each other, or would miss what a
-    /// single motion sees.
+    /// Why such a system cannot run in lanes: its lanes would depend on each other, or would miss things that
+    /// a single motion sees.
     pub fn unsuited() -> Option<&'static str> {
         if S::CONSTRAINED && !S::LANDS_APART {
             Some("has constraints, whose pivots and corrections lanes would share")
@@ -146,7 +146,7 @@ where
         self
     }
 
-    /// What a lane does.
+    /// The activity of a lane.
     pub fn standing(&self, lane: usize) -> Standing {
         self.standing.get(lane).copied().unwrap_or(Standing::Idle)
     }
@@ -333,7 +333,7 @@ where
             set(&mut self.residue, lane, &get(&residue, lane));
             if let Some(settled) = &settled {
                 let settled = get(settled, lane);
-                // Other triples of the same orientations: what rounding took belonged to the old ones.
+                // The same orientations by other triples: the residue of rounding belonged to the old ones.
                 if settled != get(&self.state, lane) {
                     let t = self.residue.t.lane(lane);
                     set(&mut self.state, lane, &settled);
@@ -345,7 +345,7 @@ where
         true
     }
 
-    /// States, and what rounding takes from them, after lengths \[s], which are `theta` units.
+    /// States and their residues of rounding after lengths \[s], which are `theta` units.
     #[inline(always)]
     fn reached(&self, length: S::Scalar, theta: S::Scalar) -> (State<S::Scalar, N>, State<S::Scalar, N>) {
         let (gain_q, gain_v) = self.series.gain(theta, self.orders);

@@ -47,11 +47,11 @@ pub(super) const POINTS: usize = 5;
 pub(super) struct Sizes<R> {
     /// At the state where it starts, as a state by itself.
     pub start: R,
-    /// At the same, as a result of the step so far.
+    /// At the same state, as a result of the step so far.
     pub near: R,
     /// Anywhere on it, times included.
     pub far: R,
-    /// The part of it that times have.
+    /// The part of it that comes from times.
     pub by_time: R,
 }
 
@@ -78,8 +78,8 @@ where
         self.guard.value(self.motion.system, state)
     }
 
-    /// The guard at a time in the last step; no number where the state there is not known, for which the
-    /// reason is left in `error`.
+    /// The guard at a time in the last step. If the state there is not known, it is NaN, and `error` holds
+    /// the reason.
     pub fn at_time(&mut self, t: S::Scalar, error: &mut Option<MotionError<S::Scalar>>) -> S::Scalar {
         match self.motion.peek(t) {
             Ok(state) => self.at(&state),
@@ -125,7 +125,7 @@ where
         }
     }
 
-    /// What a state in the step is the sum of.
+    /// The summands of a state in the step.
     fn rounded(&self, state: &State<S::Scalar, N>) -> State<S::Scalar, N> {
         let (start, end) = (M::start(&self.motion.memory), M::end(&self.motion.memory));
         let part = ((state.t - start.t) / (end.t - start.t)).abs();
@@ -164,7 +164,7 @@ where
                 let slope = smaller(up, down);
                 if slope.is_finite() { slope } else { zero }
             };
-            // What a guard is made of shows beside its extrema.
+            // Beside its extrema a guard shows the summands that it is made of.
             let slope = larger(along(part * of(scale)), along(wide * of(scale)));
             for (sum, magnitudes) in sums.iter_mut().zip(magnitudes) {
                 *sum += slope * of(magnitudes);

@@ -10,13 +10,14 @@ use crate::system::error::MotionError;
 use crate::system::method::Adaptive;
 use crate::system::state::State;
 
-/// Where the rounding errors of a guard on an interval exceed those at its start by this factor, a shorter
-/// interval is taken: what is far away, such as the end of a long free fall, must not hide what is near.
+/// The largest ratio of the rounding errors of a guard on an interval to those at its start; beyond it a
+/// shorter interval is taken. The large numbers of a distant time, such as the end of a long free fall, must
+/// not hide small ones nearby.
 const DROWNED: f64 = 256.0;
 
-/// Where a search begins, a guard counts as zero below this many of its rounding errors. They are fewer than
-/// in the noise of an interval, so that what was not zero at the end of one search is not zero at the start
-/// of the next.
+/// The number of its rounding errors below which a guard counts as zero where a search begins. It is smaller
+/// than in the noise of an interval, so that a guard that was not zero at the end of one search is not zero
+/// at the start of the next.
 const AT_START: f64 = 4.0;
 
 /// A part of an interval to take the slope over. Polynomials of degree 64 grow little beyond their interval
@@ -26,8 +27,7 @@ const PART: f64 = 1.0 / 4096.0;
 /// A guard that was zero has jumped if it is now more than this many times its noise away from zero.
 const JUMPED: f64 = 16.0;
 
-/// The resolution of time, in roundings, where no polynomial fits a guard; what is zero there is known no
-/// better.
+/// The resolution of time, in ulps, where no polynomial fits a guard. A zero there is known no better.
 pub(super) const RESOLVED: f64 = 64.0;
 
 /// A zero that has been found and not been reported.
@@ -51,7 +51,7 @@ pub(super) enum Refused<R> {
 /// A guard along a search.
 #[derive(Clone, Debug)]
 pub(super) struct Track<R> {
-    /// What is known where the interval starts.
+    /// The knowledge of the guard where the interval starts.
     memory: Memory,
     /// Where the interval ends: the side that the guard goes on to, and how well a zero there is known.
     beyond: (Option<Side>, R),
@@ -69,8 +69,8 @@ impl<R: Ordered> Track<R> {
         Self { memory: unknown, beyond: (None, zero), noise: zero, zeros: None, pending: None }
     }
 
-    /// The state has got other numbers for the same orientations, with which a guard may have the other sign,
-    /// as components of a quaternion have. That is no zero.
+    /// Notes that the state has other numbers for the same orientations. The guard may then have the other
+    /// sign, as components of a quaternion have. That is no zero.
     pub fn renamed(&mut self, before: R, after: R) {
         if (after + before).abs() < (after - before).abs() {
             self.memory = self.memory.opposite();
@@ -87,8 +87,8 @@ impl<R: Ordered> Track<R> {
         Some(Pending { theta: R::one(), crossing: crossing(kind, interval), blur })
     }
 
-    /// Interpolates the guard on an interval; `blur` is how well the time of its start is known, where an
-    /// event led there. If `strict`, an interval on which the start drowns in the roundings of the end is too
+    /// Interpolates the guard on an interval. `blur` is the uncertainty of the time of its start, if an event
+    /// led there. If `strict`, an interval on which the start drowns in the rounding errors of the end is too
     /// long.
     pub fn look<S, C, M, G, const N: usize, const K: usize>(
         &mut self,
@@ -236,7 +236,7 @@ impl<R: Ordered> Track<R> {
     }
 }
 
-/// What is known from a value alone.
+/// The knowledge of a guard from a value alone.
 fn begin<R: Ordered>(value: R, noise: R) -> Memory {
     if value > noise {
         Memory::Side(Side::Above)
@@ -255,7 +255,7 @@ fn leading_to(side: Side) -> Kind {
     }
 }
 
-/// What a zero that was met on the way is as time grows.
+/// The kind, as time grows, of a zero that was met on the way.
 fn crossing<R: Ordered>(kind: Kind, interval: Interval<R>) -> Crossing {
     match (kind, interval.is_backward()) {
         (Kind::Grazing, _) => Crossing::Touching,
@@ -264,11 +264,11 @@ fn crossing<R: Ordered>(kind: Kind, interval: Interval<R>) -> Crossing {
     }
 }
 
-/// How well the time of a zero is known that the guard crosses at this rate.
+/// The uncertainty of the time of a zero that the guard crosses at this rate.
 fn blurred<R: Ordered>(noise: R, rate: R, interval: Interval<R>) -> R {
     let resolution = R::epsilon() * larger(interval.from.abs(), interval.to.abs());
     let by_noise = noise / rate;
-    // What is less than a part of the interval is the blur of a crossing.
+    // The blur of a crossing is less than a part of the interval.
     let longest = R::from_f64(PART) * (interval.to - interval.from).abs();
     resolution + if by_noise < longest { by_noise } else { R::zero() }
 }

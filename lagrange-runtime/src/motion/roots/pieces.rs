@@ -19,13 +19,13 @@ pub(super) struct Piece<R> {
 /// The pieces of [0, `until`] from left to right.
 #[derive(Clone, Debug)]
 pub(super) struct Pieces<R> {
-    /// With value zero at θ = 0 where that has been counted.
+    /// The polynomial; its value at θ = 0 is zero where that zero has been counted.
     pub(super) polynomial: Polynomial<R>,
     /// The noise before that.
     pub(super) noise: R,
     pub(super) until: R,
-    /// How often the step has been halved for the next piece to try, and which of the parts it is; `None` at
-    /// the end.
+    /// The next piece to try: how often the step has been halved for it, and which of the parts it is. `None`
+    /// at the end.
     place: Option<(usize, u64)>,
     /// The degrees of the halves that contain it, largest first.
     degrees: [u8; LEVELS + 1],
@@ -33,7 +33,7 @@ pub(super) struct Pieces<R> {
 
 impl<R: Ordered> Pieces<R> {
     pub(super) fn new(polynomial: &Polynomial<R>, start: Memory, until: R) -> Self {
-        // What has been counted at θ = 0 is zero there without rounding.
+        // A zero at θ = 0 that has been counted is made exact.
         let counted = matches!(start, Memory::Zero(_));
         let noise = polynomial.noise();
         let polynomial = if counted { polynomial.deflated() } else { *polynomial };

@@ -1,4 +1,4 @@
-//! A function on \[0, 1] as a series of Chebyshev polynomials, with the bound of its roundings.
+//! A function on \[0, 1] as a series of Chebyshev polynomials, with the bound of its rounding errors.
 //!
 //! Interpolation at nested points with an eye on the last coefficients: Z. Battles, L. N. Trefethen, "An
 //! extension of MATLAB to continuous functions and operators", SIAM J. Sci. Comput. 25 (2004). Sums by
@@ -20,8 +20,8 @@ const DEGREES: [usize; 4] = [8, 16, 32, 64];
 /// an oscillation that has a node at the same place in each period.
 const PROBES: [f64; 3] = [0.213_117, 0.571_823, 0.938_371];
 
-/// How far a tail of coefficients that stays level may lie above the roundings that are expected: then it is
-/// roundings that the size of the function does not tell.
+/// The largest ratio of a level tail of coefficients to the expected rounding errors. Such a tail consists of
+/// rounding errors that the size of the function does not show.
 const UNEXPECTED: f64 = 1024.0;
 
 /// Why a function has no [`Polynomial`].
@@ -29,12 +29,12 @@ const UNEXPECTED: f64 = 1024.0;
 pub(crate) enum Unresolved {
     /// It is infinite or no number somewhere.
     NotFinite,
-    /// No polynomial of degree 64 is equal to it up to roundings. Half the interval needs less.
+    /// No polynomial of degree 64 is equal to it up to rounding errors. Half the interval needs less.
     Degree,
 }
 
 impl Unresolved {
-    /// What it is to a motion that has to know the function.
+    /// The cause of the error of a motion that has to know the function.
     pub(crate) fn cause(self) -> Cause {
         match self {
             Self::NotFinite => Cause::NotFinite,
@@ -180,10 +180,10 @@ impl<R: Ordered> Polynomial<R> {
         all
     }
 
-    /// The polynomial with these coefficients, if the last of them are roundings.
+    /// The polynomial with these coefficients, if the last of them are rounding errors.
     fn resolved(coefficients: [R; DEGREE + 1], n: usize, scale: R) -> Result<Self, Unresolved> {
         let (four, eight) = (R::from_f64(4.0), R::from_f64(8.0));
-        // The roundings of samples and sums; those of the nodes by the slope, inside and at the end.
+        // The rounding errors of samples and sums; those of the nodes by the slope, inside and at the end.
         let (mut inside, mut end) = (R::zero(), R::zero());
         for (k, &coefficient) in coefficients.iter().enumerate() {
             let k = R::from_f64(k as f64);
@@ -199,11 +199,11 @@ impl<R: Ordered> Polynomial<R> {
             if n < DEGREE || !unexpected {
                 return Err(Unresolved::Degree);
             }
-            // At a kink coefficients fall like 1/k²: what lies beyond the last is up to n of them, and
-            // interpolation doubles that.
+            // At a kink coefficients fall like 1/k². Beyond the last one the rest is up to n times as large,
+            // and interpolation doubles it.
             noise += R::from_f64(2.0 * DEGREE as f64) * level;
         }
-        // What is left away is a small part of the noise.
+        // The neglected terms are a small part of the noise.
         let mut degree = n;
         let mut left = R::zero();
         for coefficient in coefficients.iter().take(n + 1).skip(1).rev() {
@@ -231,7 +231,7 @@ impl<R: Ordered> Polynomial<R> {
         self.coefficients.get(..=self.degree).unwrap_or(&self.coefficients)
     }
 
-    /// The same less its value at θ = 0, where it is zero from then on. By that value it is wrong elsewhere.
+    /// The same less its value at θ = 0, so that it is zero there. Elsewhere it is then wrong by that value.
     pub(crate) fn deflated(mut self) -> Self {
         let start = self.value(R::zero());
         self.coefficients[0] -= start;

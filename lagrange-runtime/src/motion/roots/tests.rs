@@ -94,7 +94,7 @@ impl Product {
     }
 }
 
-/// What must be found: kind, and where the function is not certain around it.
+/// An expected zero: its kind, and the ends of the part on which the function is not certain.
 pub(super) type Expected = (Kind, f64, f64);
 
 /// The zeros of a product that is not certain below a bound. `None` if a zero at an end of the step depends

@@ -7,12 +7,12 @@ use crate::number::real::Ordered;
 /// Parts of a bracket at whose ends the lowest value of a grazing guard is looked for first.
 const SCAN: u8 = 8;
 
-/// How the set of points within the noise was entered that the walk is in.
+/// How the walk has entered the set of points within the noise that it is in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Entry {
     /// From a certain point of this step.
     Inside,
-    /// At θ = 0, in the state that the memory tells.
+    /// At θ = 0, with this memory.
     Start(Memory),
 }
 
@@ -26,7 +26,7 @@ pub(crate) struct Zeros<R> {
     before: Option<Side>,
     /// The last certain point.
     certain: R,
-    /// Where the walk is within the noise: how it came there.
+    /// If the walk is within the noise: how it came there.
     entry: Option<Entry>,
     queued: Option<Zero<R>>,
     memory: Option<Memory>,
@@ -56,7 +56,7 @@ impl<R: Ordered> Zeros<R> {
         zeros
     }
 
-    /// What is known at the end of the walk: where the next step starts from, if it goes on from there.
+    /// The knowledge at the end of the walk, for the next step if it starts there.
     pub(crate) fn memory(&self) -> Memory {
         self.memory.unwrap_or(Memory::Unknown)
     }
@@ -88,7 +88,7 @@ impl<R: Ordered> Zeros<R> {
             }
             (Some(Entry::Start(Memory::Unknown)), _) => point > R::zero(),
             (Some(Entry::Start(Memory::Zero(_))), before) => before.is_some_and(|before| before != side),
-            // What moves away from zero has not touched it here.
+            // A guard that moves away from zero has not touched it here.
             (Some(Entry::Start(Memory::Side(_))), before) => before != Some(side) || self.approaches(side),
         };
         let counted = matches!(entry, Some(Entry::Start(Memory::Zero(_))));
@@ -135,7 +135,7 @@ impl<R: Ordered> Zeros<R> {
         let (left, right) = (point(lowest.0.saturating_sub(1)), point(SCAN.min(lowest.0 + 1)));
         let slope = self.pieces.polynomial.slope();
         let theta = root(|theta| side.towards(slope.value(theta)), left, right);
-        // The zero of the slope is the better place wherever the values do not tell.
+        // The zero of the slope is the better place where the values do not decide.
         let bound = lowest.1 + self.pieces.polynomial.noise() * R::from_f64(0.25);
         if side.towards(self.value(theta)) <= bound { theta } else { point(lowest.0) }
     }
@@ -144,7 +144,7 @@ impl<R: Ordered> Zeros<R> {
     fn beyond(&self, point: R, ahead: R) -> Option<Side> {
         let two = R::from_f64(2.0);
         let degree = R::from_f64(self.pieces.polynomial.degree().max(1) as f64);
-        // Chebyshev polynomials of degree n grow to cosh 2 at 1/n² outside, as does what has been left away.
+        // Chebyshev polynomials of degree n grow to cosh 2 at 1/n² outside, and so do the neglected terms.
         let most = (degree * degree).recip();
         let mut distance = R::epsilon() * two;
         while distance < most {
@@ -217,7 +217,7 @@ impl<R: Ordered> Iterator for Zeros<R> {
     }
 }
 
-/// The root of what goes from negative to positive between two points; if it does not, the end nearer to it.
+/// The root of a function that goes from negative to positive between two points; otherwise the nearer end.
 fn root<R: Ordered>(f: impl Fn(R) -> R, low: R, high: R) -> R {
     let (below, above) = (f(low), f(high));
     if below >= R::zero() {

@@ -1,7 +1,7 @@
 //! The energy as a check of fixed steps, where the macro has proved that it is conserved.
 //!
-//! A step of fixed length promises no accuracy, but an order: halves of a step that is short enough lose a
-//! quarter at most of what it loses. Beside a configuration in which constraints depend on each other a
+//! A step of fixed length has no promised accuracy, but an order: if it is short enough, its halves together
+//! lose a quarter at most of its own loss. Beside a configuration in which constraints depend on each other a
 //! step may lose anything, and its halves as well.
 
 use crate::integrator::landing::NOISE;
@@ -16,14 +16,14 @@ use crate::system::state::State;
 /// How often a step is halved at most.
 const HALVINGS: i32 = 6;
 
-/// Halves of a step lose at most this part of what it loses: any method is of the second order.
+/// The largest loss of the halves of a step, as a part of its own: any method is of the second order at
+/// least.
 const QUARTER: f64 = 0.25;
 
-/// The end of a step that has lost more, by as many parts as obey the order. Where constraints are far
-/// apart, it is the caller's choice of a length that has lost it.
+/// The end of a step that has lost more energy, in as many parts as obey the order. Where constraints are far
+/// apart the loss is that of the caller's length.
 ///
-/// # Errors
-/// [`Cause::StepTooLong`] where none do, and why parts cannot be taken.
+/// # Errors [`Cause::StepTooLong`] where none do, and why parts cannot be taken.
 #[cold]
 #[inline(never)]
 pub(super) fn mended<S, M, const N: usize, const K: usize>(
@@ -73,7 +73,7 @@ where
     Err(Cause::StepTooLong)
 }
 
-/// What roundings of the coordinates make of the energy, and its own.
+/// The effect of rounding errors of the coordinates on the energy, and the energy's own.
 fn roundings<S, const N: usize, const K: usize>(
     system: &S,
     constants: &S::Constants,

@@ -1,4 +1,4 @@
-//! Numbers that guards have at a time.
+//! The values of guards at a time.
 
 use super::Guard;
 use crate::number::real::Real;

@@ -1,23 +1,23 @@
-//! Which guards are looked at.
+//! The guards that are watched.
 
 use super::super::{Row, Switching, Wanted};
 use super::{Guard, Guards};
 use crate::number::real::Ordered;
 
-/// What each guard is, in a regime.
+/// The guards that are watched in a regime.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::switching) struct Watch<R, const C: usize, const W: usize> {
     /// Rows that have a guard.
     pub(super) rows: [bool; C],
-    /// Slip velocities in two directions where the step starts: while the slip has a part in the same
-    /// direction it has not turned back.
+    /// Slip velocities in two directions where the step starts. A slip that has a part in the same direction
+    /// has not turned back.
     pub(super) directions: [R; C],
-    /// Kinks that are looked at.
+    /// Kinks that are watched.
     pub(super) kinks: [bool; W],
 }
 
 impl<R, const C: usize, const W: usize> Watch<R, C, W> {
-    /// Whether a guard is looked at.
+    /// Whether a guard is watched.
     pub(super) fn has(&self, guard: Guard) -> bool {
         let watched = match guard {
             Guard::Row(row) => self.rows.get(row),
@@ -40,7 +40,7 @@ where
     S: Switching<N, K, C, W>,
     S::Scalar: Ordered,
 {
-    /// Ends to look at a guard.
+    /// Stops watching a guard.
     pub(in crate::switching) fn pass(&mut self, guard: Guard) {
         if let Some(is_watched) = self.watch.of(guard) {
             *is_watched = false;
@@ -56,7 +56,7 @@ where
         Self { watch, ..*self }
     }
 
-    /// The functions that the guards are made of which are looked at.
+    /// The functions that the watched guards are made of.
     pub(super) fn wanted(&self) -> Wanted<C, W> {
         let mut wanted = Wanted { rows: [false; C], fixed: [false; C], kinks: self.watch.kinks };
         for row in (0..C).filter(|&row| self.watch.rows[row]) {

@@ -1,5 +1,5 @@
-//! Where lanes with constraints end a step: on the constraints, and right by everything that a motion of its
-//! own is held against. What is not, a motion of its own looks at.
+//! The end of a step in lanes with constraints: on the constraints, and right by every criterion for a single
+//! motion. A lane that fails one is left to a motion of its own.
 
 use num_traits::Zero;
 
@@ -13,20 +13,20 @@ use crate::system::footing::Apart;
 use crate::system::smooth::Smooth;
 use crate::system::state::{State, difference};
 
-/// States and what rounding took from them.
+/// States and their residues of rounding.
 type Reached<R, const N: usize> = (State<R, N>, State<R, N>);
 
 /// The end of a step.
 pub(super) struct Landed<R, const N: usize> {
     pub(super) at: Reached<R, N>,
-    /// What is at most zero in lanes in which it is right.
+    /// Measures that are at most zero in lanes in which the end is right.
     excess: [R; 7],
 }
 
 impl<R: Vector, const N: usize> Landed<R, N> {
     /// Whether a lane may go on from there.
     pub(super) fn is_right(&self, lane: usize) -> bool {
-        // Not a number is not right.
+        // NaN is not right.
         self.excess.iter().all(|excess| excess.lane(lane) <= Zero::zero())
     }
 }
@@ -67,7 +67,7 @@ where
         let Apart { accelerations, metric, left, close } =
             self.system.land_apart_at(&constants, &mut end, &[Zero::zero(); K])?;
         for i in 0..N {
-            // What rounding took belongs to the numbers that were rounded.
+            // A residue belongs to the number that was rounded.
             let changed = |a: S::Scalar, b: S::Scalar| (a - b).abs();
             residue.q[i] = S::Scalar::zero().where_positive(changed(end.q[i], reached.q[i]), residue.q[i]);
             residue.v[i] = S::Scalar::zero().where_positive(changed(end.v[i], reached.v[i]), residue.v[i]);

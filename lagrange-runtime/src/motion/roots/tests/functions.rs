@@ -46,7 +46,7 @@ fn roots_to_thirty_digits() {
     let [zero] = zeros(Memory::Unknown, g)[..] else { panic!("one zero") };
     let error = (zero.polish(g) * three.sqrt() - DoubleDouble::one()).abs();
     assert!(error < DoubleDouble::from_f64(1e-30), "{error:?}");
-    // What doubles cannot tell apart: two roots 2e-10 apart.
+    // Two roots that doubles cannot tell apart: their distance is 2e-10.
     let pair = |theta: DoubleDouble| {
         let from_third = theta - DoubleDouble::one() / three;
         from_third * from_third - DoubleDouble::from_f64(1e-20)
