@@ -31,7 +31,7 @@ mod unavoidable;
 use tolerance::{Tried, relative};
 use unavoidable::Attempts;
 
-/// A state and what rounding took from it: the exact sum is `state + residue`.
+/// A state and its residue of rounding: the exact sum is `state + residue`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Point<R, const N: usize> {
     pub state: State<R, N>,
@@ -47,7 +47,7 @@ pub(crate) struct Ground<R> {
     pub determined: Determined<R>,
 }
 
-/// The step from `start` to `end`, and what the next one needs.
+/// The step from `start` to `end`, and the numbers that the next one needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Dop853Memory<R: Real, const N: usize> {
     pub(crate) start: Point<R, N>,
@@ -58,12 +58,12 @@ pub struct Dop853Memory<R: Real, const N: usize> {
     pub(crate) slope: Option<Slope<R, N>>,
     /// Length of the next step; zero if not known.
     length: R,
-    /// Whether the last step was within tolerance but for roundings.
+    /// Whether the last step was within tolerance except for rounding errors.
     is_noisy: bool,
     /// Polynomial through the step, once a sample has asked for it.
     pub(crate) dense: Option<Dense<R, N>>,
     pub(crate) counts: Steps,
-    /// Where a constrained motion stands; `None` before the first step.
+    /// The footing of a constrained motion; `None` before the first step.
     pub(crate) ground: Option<Ground<R>>,
     /// The target of a step that series have taken.
     pub(crate) passage: Option<R>,
@@ -105,7 +105,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
     pub(crate) fn correct(&mut self, state: State<R, N>) {
         let Point { state: end, residue } = &mut self.end;
         for n in 0..N {
-            // What rounding took belongs to the number that was rounded.
+            // A residue belongs to the number that was rounded.
             if state.q[n] != end.q[n] {
                 (end.q[n], residue.q[n], self.slope) = (state.q[n], R::zero(), None);
             }
@@ -204,7 +204,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         let mut cause = Cause::StepTooSmall;
         let mut repeated = false;
         let resolution = Self::resolution(t);
-        // Whether to shorten a step of three times that would leave its numbers as they are.
+        // Whether to shorten a step so short that three times its length would not change its numbers.
         let mut attempts_here = Attempts::new((R::from_f64(3.0) * resolution).largest(), relative(limits));
         loop {
             let last = land && R::from_f64(1.01) * length >= left.abs();
@@ -227,7 +227,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
                     self.length = if repeated {
                         smaller(next, length)
                     } else {
-                        // A step cut short by `target` says nothing against the length it was cut from.
+                        // A step that `target` has cut short is no reason for shorter ones.
                         larger(next, if h.abs() < natural { natural } else { next })
                     };
                     return Ok(());
@@ -247,7 +247,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         }
     }
 
-    /// Takes a step of `h` \[s] from `end`. Its error in tolerances, if that is at most 1.
+    /// Takes a step of `h` \[s] from `end`. Returns its error in tolerances, if that is at most 1.
     #[cold]
     pub(crate) fn stride<F>(&mut self, f: &F, limits: &Limits<R>, h: R) -> Option<R>
     where
@@ -297,7 +297,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
             (end.state.q[n], end.residue.q[n]) = add(from.q[n], end.residue.q[n], h * mean.q[n]);
             (end.state.v[n], end.residue.v[n]) = add(from.v[n], end.residue.v[n], h * mean.v[n]);
         }
-        // Beside a configuration in which constraints depend on each other, roundings make large
+        // Beside a configuration in which constraints depend on each other, rounding errors make large
         // accelerations across them.
         if self.ground.is_some_and(|ground| !ground.here.are_far_apart()) {
             for change in [&mut fifth.q, &mut fifth.v, &mut third.q, &mut third.v] {
@@ -307,7 +307,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         let tried = Tried { from, to: &end.state, slope: &slopes[0], h, estimates: [&fifth, &third] };
         let mut error = tried.error(limits, &[[R::Lane::zero(); N]; 2]);
         let mut is_noisy = false;
-        // A smooth motion needs one shorter attempt, and no look for what else is wrong.
+        // A smooth motion needs one shorter attempt, and no search for another cause.
         if error > R::one() && error.is_finite() && (self.is_noisy || attempts.any_refused()) {
             is_noisy = true;
             error = attempts.avoidable_error(f, limits, &tried, &mut self.counts);
@@ -383,7 +383,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         F: Field<R, N>,
     {
         let from = &self.end.state;
-        // Below the resolution of time a guess is wrong, and says nothing about the motion.
+        // A guess below the resolution of time is wrong, and tells nothing about the motion.
         let least = R::from_f64(2.0) * Self::resolution(from.t);
         let probe = limits.clip(larger(first::probe(from, slope), least));
         let (q, v) = reach(from, direction * probe, slope);

@@ -1,4 +1,4 @@
-//! Vector functions for any [`Real`]: what nalgebra offers only for its own closed list of scalars.
+//! Vector functions for any [`Real`], which nalgebra has for a closed list of scalars alone.
 //!
 //! Rotations follow nalgebra: active, right-handed, Euler angles as roll about x, then pitch about y, then
 //! yaw about z of the fixed frame.
@@ -94,7 +94,7 @@ pub fn rotation3_euler_angles<R: Real>(roll: R, pitch: R, yaw: R) -> Rotation3<R
     ))
 }
 
-/// What has a rotation, as a matrix of nalgebra.
+/// A type with a rotation, as a matrix of nalgebra.
 pub trait Turned {
     /// `Rotation2` or `Rotation3`.
     type Matrix;

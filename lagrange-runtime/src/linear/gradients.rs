@@ -1,27 +1,28 @@
-//! The gradients of constraints as a matrix A, a row each: whole, or without what is always zero.
+//! The gradients of constraints as a matrix A, a row each: whole, or without the entries that are always
+//! zero.
 
 use crate::number::real::Real;
 
-/// What is known at expansion of a sparse A, and of the factors of A M⁻¹ Aᵀ with a diagonal M.
+/// The structure of a sparse A, and of the factors of A M⁻¹ Aᵀ with a diagonal M, as it is known at
+/// expansion.
 ///
-/// Constraints are eliminated in an order of their own. The place of a constraint is where it stands in that
-/// order. All lists are ascending.
+/// Constraints are eliminated in an order of their own, one in each step. All lists are ascending.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pattern {
-    /// The constraint in each place.
+    /// By step: the constraint.
     pub order: &'static [usize],
-    /// By place: the coordinates that the constraint depends on.
+    /// By step: the coordinates that the constraint depends on.
     pub coordinates: &'static [&'static [usize]],
-    /// By place: the earlier places that share a coordinate with it.
+    /// By step: the earlier steps whose constraints share a coordinate with it.
     pub coupled: &'static [&'static [usize]],
-    /// By place: the earlier places where its row of the factor L may differ from zero.
+    /// By step: the earlier steps at which its row of the factor L may differ from zero.
     pub earlier: &'static [&'static [usize]],
-    /// By place: the later places where its column of L may.
+    /// By step: the later steps at which its column of L may differ from zero.
     pub later: &'static [&'static [usize]],
 }
 
 impl Pattern {
-    /// Nothing is known.
+    /// The structure of which nothing is known.
     pub const NONE: Self = Self { order: &[], coordinates: &[], coupled: &[], earlier: &[], later: &[] };
 }
 
@@ -55,7 +56,7 @@ impl<R: Real, const N: usize, const C: usize> Gradients<R, N, C> for [[R; N]; C]
     }
 }
 
-/// A without what is always zero: `A` entries are left.
+/// A without the entries that are always zero: `A` entries are left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SparseRows<R, const A: usize> {
     pattern: &'static Pattern,
@@ -63,7 +64,7 @@ pub struct SparseRows<R, const A: usize> {
 }
 
 impl<R: Real, const A: usize> SparseRows<R, A> {
-    /// Entries place by place, as [`Pattern::coordinates`] lists them.
+    /// Entries step by step, as [`Pattern::coordinates`] lists them.
     #[inline]
     #[must_use]
     pub fn new(pattern: &'static Pattern, entries: [R; A]) -> Self {
@@ -75,7 +76,7 @@ impl<R: Real, const A: usize> SparseRows<R, A> {
         self.pattern
     }
 
-    /// Coordinates and the entries that belong to them, place by place.
+    /// Coordinates and the entries that belong to them, step by step.
     #[inline(always)]
     pub(super) fn iter(&self) -> impl Iterator<Item = (&'static [usize], &[R])> {
         let mut rest = self.entries.as_slice();

@@ -1,24 +1,24 @@
-//! How independent the rows of a constraint matrix are, and the numbers that decide about it.
+//! The independence of the rows of a constraint matrix, and the numbers that decide about it.
 //!
 //! Rows are measured in the metric of the kinetic energy, each relative to its own size. The distance of a
 //! row from the span of the others is then about the smallest singular value σ of A M^(−1/2). A constraint
-//! function is known to ε of its summands, so coordinates are known to ε/σ, and each decision follows from
-//! where that meets another number of the arithmetic:
+//! function is known to ε of its summands, so coordinates are known to ε/σ. Each decision follows from where
+//! that meets another number of the arithmetic:
 //!
-//! * Below **√ε** a row is dependent. What it alone restricts enters the constraint function by its square,
-//!   so roundings of the function leave these coordinates uncertain by √ε already, and a linear row of less
-//!   than √ε tells nothing that this does not hide. (Golub and Van Loan, "Matrix Computations", 4th ed., §
-//!   5.5, on numerical rank.)
+//! * Below **√ε** a row is dependent. What it alone restricts enters the constraint function by its square.
+//! So rounding errors of the function leave these coordinates uncertain by √ε already, and they hide
+//! everything that a linear row of less than √ε could tell. (Golub and Van Loan, "Matrix Computations", 4th
+//! ed., § 5.5, on numerical rank.)
 //! * Below **∜ε** a state is poorly determined: the direction of the motion, a derivative of the gradients,
-//!   is known to ε/σ² only, which is √ε there, half of all digits. Steps do not end at such a state where
-//!   they can end beside it.
+//! is known to ε/σ² only, which is √ε there, half of all digits. Steps do not end at such a state where they
+//! can end beside it.
 //! * From **a quarter** on rows are far apart. An error across the constraints then changes the direction by
-//!   1/σ² ≤ 16 times itself, which is what the check of a step allows anyway; below that it is held against
-//!   its square.
+//! 1/σ² ≤ 16 times itself, which the check of a step allows anyway. Below that it is compared with its
+//! square.
 
 use crate::number::real::Real;
 
-/// How independent the rows of A are at a state.
+/// The independence of the rows of A at a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Independence<R> {
     /// The number of rows.

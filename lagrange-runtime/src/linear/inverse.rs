@@ -1,16 +1,16 @@
 //! The inverse of a mass matrix that is not formed, by the recursion that solves with it.
 //!
-//! A recursion is a chain of operations that wait for each other. Made for all unit loads side by side it
-//! runs on vectors, and what then solves is a product, in which nothing waits.
+//! A recursion is a chain of operations that wait for each other. For all unit loads side by side it runs on
+//! vectors. A solution is then a product, in which no operation waits for another.
 
 use crate::number::real::Real;
 
-/// One step of a recursion: an unknown and the places of others that it is made from.
+/// One step of a recursion: an unknown and the others that it is made from.
 #[derive(Clone, Copy, Debug)]
 pub struct RecursionStep {
-    /// The place of the unknown: of the velocities in their order, then of what is between them.
+    /// The index of the unknown: of the velocities in their order, then of the values between them.
     pub place: usize,
-    /// The places of the others; of each there is a factor.
+    /// The indices of the others; each has a factor.
     pub others: &'static [usize],
 }
 
@@ -30,8 +30,8 @@ fn add<R: Real, const N: usize>(target: &mut [R; N], factor: R, row: &[R; N]) {
 }
 
 impl<R: Real, const N: usize> Inverse<R, N> {
-    /// Runs a recursion with `W` places between the velocities. Of the factors each velocity has first 1 /
-    /// pivot, then those of the others; what is between them has those of the others.
+    /// Runs a recursion with `W` values between the velocities. The factors of a velocity are 1 / pivot and
+    /// those of the others; a value between velocities has those of the others alone.
     #[inline]
     #[must_use]
     pub fn of<const W: usize>(steps: &[RecursionStep], factors: &[R]) -> Self {
@@ -50,7 +50,7 @@ impl<R: Real, const N: usize> Inverse<R, N> {
                 let inverse = next();
                 own.iter_mut().for_each(|x| *x *= inverse);
             } else {
-                // Free for another.
+                // The slot is free for another value.
                 *own = [R::zero(); N];
             }
             for &other in step.others {

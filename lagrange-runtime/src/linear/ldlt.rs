@@ -11,7 +11,7 @@ use crate::number::real::Real;
 /// The factors of a symmetric positive definite matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ldlt<R, const N: usize> {
-    /// L without its unit diagonal, below the diagonal; what stands elsewhere is of no use.
+    /// L without its unit diagonal, below the diagonal. The other entries are not used.
     factor: [[R; N]; N],
     /// 1 / D.
     inverse: [R; N],

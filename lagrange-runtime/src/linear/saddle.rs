@@ -57,7 +57,7 @@ use reduced::Reduced;
 use scaled::Scaled;
 use vectors::{add_product, add_scaled, poison, transposed};
 
-/// Why a saddle-point system has no solution, or not one only.
+/// Why a saddle-point system has no solution, or several.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Defect {
     /// M is singular on the null space of A: a motion that the constraints allow has no inertia.
@@ -69,7 +69,7 @@ pub enum Defect {
     NotFinite,
 }
 
-/// A factored saddle-point system: what a caller needs that leaves the method open.
+/// A factored saddle-point system, for callers that leave the method open.
 pub trait SaddlePoint<R, const N: usize, const C: usize> {
     /// A.
     type Gradients: Gradients<R, N, C> + Clone;
@@ -100,8 +100,9 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
         independence.rank == independence.rows
     }
 
-    /// How far each lane is from where all lanes of a vector would have to decide together: at one it is
-    /// there. `None` where they did, and rounding errors of a lane depend on the others.
+    /// The distance of each lane from a state at which all lanes of a vector would have to decide together;
+    /// such a state is at a distance of one. `None` where lanes have decided together, so that rounding
+    /// errors of a lane depend on the others.
     #[inline(always)]
     fn apart(&self) -> Option<R> {
         None
@@ -119,8 +120,8 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
     /// The first row of A that is zero altogether: a constraint without a gradient.
     fn vanishing(&self) -> Option<usize>;
 
-    /// Column scaling of the coordinates, which makes them comparable: 1/√M\[i]\[i], or what A makes of them
-    /// where that does not exist; zero for a coordinate that nothing moves.
+    /// Column scaling of the coordinates, which makes them comparable: 1/√M\[i]\[i] or, where that does not
+    /// exist, a unit from the entries of A; zero for a coordinate that nothing moves.
     fn units(&self) -> [R; N];
 }
 
@@ -134,17 +135,17 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
 pub struct Saddle<R, const N: usize, const C: usize> {
     /// P, symmetric up to rounding: the row of a component of r.
     compliance: [[R; N]; N],
-    /// Yᵀ: what a component of y adds to v.
+    /// Yᵀ: the change of v by a component of y.
     transfer: [[R; N]; C],
-    /// What a component of r takes from κ: Y, projected where rows are dependent.
+    /// The part of κ that a component of r takes: Y, projected where rows are dependent.
     reaction: [[R; C]; N],
-    /// What a component of y adds to κ: T, likewise.
+    /// The change of κ by a component of y: T, likewise projected.
     stiffness: [[R; C]; C],
     units: [R; N],
     independence: Independence<R>,
     vanishing: Option<usize>,
     defect: Option<Defect>,
-    /// Whether lanes decided nothing together.
+    /// Whether lanes have decided nothing together.
     apart: bool,
 }
 
@@ -174,8 +175,8 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
     fn with<const DEFINITE: bool>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
         let full = symmetric(mass);
         let mut split = Split { null: [[R::zero(); N]; N], inverse: [[R::zero(); C]; N] };
-        // The rank as a constant, so that the loops that depend on it are unrolled; and what is cold starts
-        // from the arguments again, so that nothing else need be in memory.
+        // The rank is a constant, so that the loops that depend on it are unrolled. The cold part starts from
+        // the arguments again, so that nothing else need be in memory.
         let scaled = Scaled::new(mass, a);
         if let Some(independence) = partition(&scaled, &mut split, |_| true) {
             let mut reduced = Reduced::new(&full, &split.null, C);
@@ -189,7 +190,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
                 Err(_) => {}
             }
         } else if C == 1 && N <= partition::WIDEST && size_of::<R>() == size_of::<R::Lane>() {
-            // Of several lanes each may have a gradient, in no coordinate that is common to all.
+            // Each of several lanes may have a gradient, but in no common coordinate.
             return Self::without_gradient(a);
         }
         Self::carefully::<DEFINITE>(mass, a)
@@ -204,7 +205,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         Self { vanishing: is_zero.then_some(0), ..Self::failed(Defect::NotFinite) }
     }
 
-    /// By the rows that are independent, in a pivoted order.
+    /// Factors by the independent rows, in a pivoted order.
     #[cold]
     #[inline(never)]
     fn carefully<const DEFINITE: bool>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
@@ -224,7 +225,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             let combinations = range.combinations();
             redundant::shorten(&mut this.reaction, &combinations, range.rank);
             redundant::shorten(&mut this.stiffness, &combinations, range.rank);
-            // A row that is not a number is not taken, but it does not depend on others either.
+            // A row with NaN is not taken, but it does not depend on others either.
             poison(this.compliance.as_flattened_mut(), a.as_flattened());
             poison(this.transfer.as_flattened_mut(), a.as_flattened());
             poison(this.stiffness.as_flattened_mut(), a.as_flattened());
@@ -368,7 +369,7 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Saddle<R,
     }
 
     fn defect(&self) -> Option<Defect> {
-        // Looked for only when somebody asks, because the solutions show it as well.
+        // This is looked for when somebody asks, because the solutions show it as well.
         let finite = |block: &[R]| block.iter().all(|x| x.is_finite());
         let all = finite(self.compliance.as_flattened())
             && finite(self.transfer.as_flattened())

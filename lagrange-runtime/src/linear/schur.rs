@@ -73,7 +73,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
             return this;
         };
         if C <= SMALL {
-            // With the factors and not with the inverse, whose rounding errors are larger.
+            // The factors are used and not the inverse, whose rounding errors are larger.
             this.substitute(rows);
             let mut inverse = core::array::from_fn(unit);
             this.substitute(&mut inverse);
@@ -151,8 +151,8 @@ impl<R: Real, const C: usize> Schur<R, C> {
         if range.rank < C {
             redundant::shorten(&mut factor, &range.combinations(), range.rank);
         }
-        // A row that is not a number is not taken, but it does not depend on others either. Nor does one that
-        // a negative mass has made such.
+        // A row with NaN is not taken, but it does not depend on others either. Nor does a row that a
+        // negative mass has made NaN.
         poison(factor.as_flattened_mut(), rows.as_flattened());
         Self {
             factor,

@@ -56,7 +56,7 @@ impl<R: Ordered, const N: usize> SingularValues<R, N> {
         self.squares.iter().filter(|&&square| square > least).count()
     }
 
-    /// Squares of singular values up to here are roundings: 64 Nε of the largest value.
+    /// The largest square of a singular value that is a rounding error: 64 Nε of the largest value.
     fn least(&self) -> R {
         let share = R::from_f64(64.0 * N as f64) * R::epsilon();
         share * share * self.largest_square()
@@ -76,8 +76,8 @@ impl<R: Ordered, const N: usize> SingularValues<R, N> {
         dot(&rest, &rest)
     }
 
-    /// The x of least |B x − b|² + `damping` |x|². Directions whose singular value is rounding are left
-    /// alone.
+    /// The x of least |B x − b|² + `damping` |x|². Directions whose singular value is a rounding error are
+    /// left alone.
     pub fn solve(&self, b: &[R; N], damping: R) -> [R; N] {
         let least = self.least();
         let mut x = [R::zero(); N];

@@ -44,7 +44,8 @@ pub trait Real:
     + MulAssign
     + DivAssign
 {
-    /// One lane: the type itself, the element of a SIMD vector, or what carries derivatives without them.
+    /// One lane: the type itself, the element of a SIMD vector, or the number without the derivatives that it
+    /// carries.
     type Lane: Real<Lane = Self::Lane> + PartialOrd;
 
     /// The same value in every lane.

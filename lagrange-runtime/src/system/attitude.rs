@@ -22,8 +22,8 @@ use crate::system::state::State;
 #[doc(hidden)]
 pub use motion::{accelerations, axes, complete, turning};
 
-/// The velocity of a pose among the coordinates, as a state names it: `v.hull` of `hull: Pose`. What
-/// `self.hull_velocity(q, v)` returns is a [`Twist3`](crate::Twist3), with all components in both axes.
+/// The velocity of a pose among the coordinates, as a state names it: `v.hull` of `hull: Pose`. The function
+/// `self.hull_velocity(q, v)` returns a [`Twist3`](crate::Twist3), with all components in both axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseVelocity<R> {
     /// Velocity of the pose's origin in space axes \[m/s].
@@ -47,7 +47,7 @@ fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// The three numbers that begin at a place.
+/// The three numbers that begin at an index.
 #[inline(always)]
 pub(crate) fn triple<R: Real, const N: usize>(numbers: &[R; N], first: usize) -> [R; 3] {
     numbers.get(first..first + 3).and_then(<[R]>::first_chunk).copied().unwrap_or([R::zero(); 3])
@@ -88,7 +88,7 @@ fn rates_at<R: Real>(rho: [R; 3], omega: [R; 3]) -> [R; 3] {
     core::array::from_fn(|i| (R::one() - s) * omega[i] + R::from_f64(0.5) * turned[i] + rho[i] * along)
 }
 
-/// The opposite: the matrix of [`rates_at`] is 1 + s times an orthogonal one.
+/// The inverse: the matrix of [`rates_at`] is 1 + s times an orthogonal one.
 fn spin<R: Real>(rho: [R; 3], rates: [R; 3]) -> [R; 3] {
     let s = square(rho) * R::from_f64(1.0 / 16.0);
     let scale = R::one() / (R::one() + s);

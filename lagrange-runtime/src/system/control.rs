@@ -1,8 +1,8 @@
-//! [`Control`]: where the inputs of a motion come from.
+//! [`Control`]: the source of the inputs of a motion.
 
 use super::state::State;
 
-/// Where the inputs of a system come from.
+/// The source of the inputs of a system.
 pub trait Control<R, const N: usize, const K: usize> {
     /// Whether the inputs are the same at all states.
     const HELD: bool = K == 0;
@@ -12,7 +12,7 @@ pub trait Control<R, const N: usize, const K: usize> {
     fn inputs(&self, state: &State<R, N>) -> [R; K];
 }
 
-/// Inputs that stay what they are until they are set again.
+/// Inputs that stay constant until they are set again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Held<R, const K: usize>(pub [R; K]);
 
@@ -40,7 +40,7 @@ impl<R, F: Fn(&State<R, N>) -> [R; K], const N: usize, const K: usize> Control<R
 mod tests {
     use super::*;
 
-    /// What a control says of its inputs, and whether they are the same at two states.
+    /// The inputs of a control, and whether they are the same at two states.
     fn said<const K: usize, C: Control<f64, 1, K>>(control: &C) -> (bool, bool) {
         let [here, there] = [0.0, 1.0].map(|x| control.inputs(&State::new([x], [x])));
         (C::HELD, here == there)

@@ -66,8 +66,8 @@ pub enum Cause {
         /// Its name.
         name: Name,
     },
-    /// A function of the description returns something else than the macro read: a name in it means something
-    /// else than usual. Only builds with `debug_assertions` look for this.
+    /// A function of the description returns another value than the macro has read: a name in it has an
+    /// unusual meaning. Only builds with `debug_assertions` look for this.
     Misread {
         /// The function, or the argument of its role.
         function: Function,
@@ -178,9 +178,9 @@ pub enum Cause {
     },
     /// Impacts and friction cannot be followed backward in time.
     Irreversible,
-    /// A fixed step is too long for the constraints: bringing its end back onto them would change the state
-    /// by more than the step itself did, or the energy, which is conserved, changes by more than stages of
-    /// the step differ.
+    /// A fixed step is too long for the constraints. Bringing its end back onto them would change the state
+    /// by more than the step itself, or the energy, which is conserved, changes by more than stages of the
+    /// step differ.
     StepTooLong,
     /// A coordinate, velocity, acceleration or parameter is infinite or not a number.
     NotFinite,
@@ -192,8 +192,8 @@ pub enum Cause {
     NoVelocities,
     /// The tolerance asks for steps below the resolution of time.
     StepTooSmall,
-    /// The tolerance is finer than what roundings leave of a state of the motion, so that no step goes on
-    /// from it.
+    /// The tolerance is finer than the rounding errors of a state of the motion, so that no step goes on from
+    /// it.
     ToleranceTooFine {
         /// The finest relative tolerance that leads on from there.
         reachable: Magnitude,

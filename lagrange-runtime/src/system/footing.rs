@@ -21,7 +21,7 @@ pub struct Footing<R, const N: usize> {
     pub metric: Metric<R, N>,
 }
 
-/// How a state was brought onto the constraints in each lane, as a function of the numbers of that lane.
+/// The landing of a state on the constraints in each lane, as a function of the numbers of that lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Apart<R, const N: usize> {
     /// The accelerations at the state that was reached, before it was moved onto the constraints.
@@ -30,6 +30,6 @@ pub struct Apart<R, const N: usize> {
     pub metric: Metric<R, N>,
     /// Positive in lanes that are not on the constraints yet.
     pub left: R,
-    /// Positive in lanes that are close to where the constraints do not determine the state well.
+    /// Positive in lanes that are close to a state which the constraints do not determine well.
     pub close: R,
 }

@@ -1,9 +1,9 @@
-//! [`Limits`]: what the caller of a motion asks of the control of steps.
+//! [`Limits`]: the wishes of the caller of a motion for the control of steps.
 
 use super::error::Cause;
 use crate::number::real::{Ordered, larger, smaller};
 
-/// What the caller asks of the control.
+/// The caller's wishes for the control of steps.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits<R> {
     /// Tolerated error relative to a component's size.

@@ -1,4 +1,4 @@
-//! What a method of integration is, for a [`System`] to name one: [`Adaptive`] under error control,
+//! The traits of methods of integration, for a [`System`] to name one: [`Adaptive`] under error control,
 //! [`FixedStep`] in steps of the caller's.
 
 use super::System;
@@ -9,7 +9,7 @@ use crate::number::real::{Ordered, Real};
 
 /// A method that takes steps of a size chosen by the caller.
 pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
-    /// What the method remembers between steps. It belongs to one system with its constants. It survives
+    /// The memory of the method between steps. It belongs to one system with its constants. It survives
     /// failed steps and changes of the inputs, so a method checks whether it still applies.
     type Memory: Copy + core::fmt::Debug;
 
@@ -46,15 +46,15 @@ pub struct Terms<'a, R, const N: usize> {
     pub length: R,
     /// The unit \[s].
     pub unit: R,
-    /// What rounding took from the time of the start \[s].
+    /// The residue of rounding of the time of the start \[s].
     pub residue: R,
-    /// Terms of the reactions from order zero on, the rows of an order side by side; none where they are not
+    /// Terms of the reactions from order zero on, the rows of an order side by side. Empty where they are not
     /// known.
     pub reactions: &'a [R],
 }
 
 impl<R: Real, const N: usize> Terms<'_, R, N> {
-    /// Σ |summands| of the state after a part of the step, which bound its roundings.
+    /// Σ |summands| of the state after a part of the step, which bound its rounding errors.
     pub(crate) fn sizes(&self, start: &State<R, N>, part: R) -> State<R, N> {
         let theta = (part * self.length).abs();
         let sums = |numbers: &[R; N], rows: &[[R; N]]| {
@@ -82,11 +82,11 @@ pub struct Steps {
 /// A method under error control, for motions with inputs from `C`. It may be ahead of the state that its
 /// caller sees, and goes on from the ends of its own steps.
 pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> {
-    /// What a motion by this method remembers between steps.
+    /// The memory of a motion by this method between steps.
     type Memory: Copy + core::fmt::Debug;
 
-    /// Whether a step may begin and end anywhere beside a configuration in which constraints depend on each
-    /// other, since it evaluates nothing in between.
+    /// Whether a step may begin and end anywhere near a configuration in which constraints depend on each
+    /// other. It may if the method evaluates nothing in between.
     const PASSES: bool = false;
 
     /// The memory of a motion that begins at a state.
@@ -121,7 +121,7 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
     where
         S::Scalar: Ordered;
 
-    /// What the motion has cost.
+    /// The cost of the motion so far.
     fn counts(memory: &Self::Memory) -> Steps;
 
     /// The memory of a motion that goes on from a state by the equations of another system of the same kind,
@@ -133,7 +133,7 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
         *memory = Self::begin(system, state);
     }
 
-    /// The polynomial of the last step; `None` of a method that has none.
+    /// The polynomial of the last step; `None` for a method that has none.
     fn terms(_memory: &Self::Memory) -> Option<Terms<'_, S::Scalar, N>>
     where
         S::Scalar: Ordered,

@@ -1,9 +1,9 @@
 //! The kinetic metric: units in which no coordinate is larger than another.
 //!
-//! Where the summands of a constraint are no measure, the roundings of it are relative to this. Of a
-//! constraint such as z = 0 rounding leaves some part of what the other coordinates are in the kinetic
-//! metric, not of z. So the largest coordinate in units of 1/√M\[i]\[i], times the gradient in these units,
-//! is a size as well, the same in all units of the user.
+//! Where the summands of a constraint are no measure, its rounding errors are relative to this metric. In a
+//! constraint such as z = 0 rounding leaves a part of the other coordinates in the kinetic metric, not of z.
+//! So the largest coordinate in units of 1/√M\[i]\[i], times the gradient in these units, is a size as well,
+//! the same in all units of the user.
 
 use crate::linear::{Gradients, SaddlePoint};
 use crate::number::real::Real;
@@ -11,7 +11,7 @@ use crate::number::real::Real;
 /// Units of the coordinates at a state, those of the kinetic metric.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Metric<R, const N: usize> {
-    /// 1/√M\[i]\[i], or what the constraints suggest; zero for what nothing moves.
+    /// 1/√M\[i]\[i], or a unit from the constraints; zero for a coordinate that nothing moves.
     units: [R; N],
     /// Their reciprocals; zero for zero.
     weights: [R; N],
@@ -26,7 +26,7 @@ impl<R: Real, const N: usize> Metric<R, N> {
         Self { units, weights: units.map(reciprocal) }
     }
 
-    /// One in which nothing has a size.
+    /// A metric in which nothing has a size.
     #[inline(always)]
     pub(crate) fn none() -> Self {
         Self { units: [R::zero(); N], weights: [R::zero(); N] }
@@ -50,7 +50,7 @@ impl<R: Real, const N: usize> Metric<R, N> {
         self.at_extent(R::epsilon() * extent)
     }
 
-    /// What has this extent, in the unit of each coordinate.
+    /// A number of this extent, in the unit of each coordinate.
     #[inline(always)]
     pub(crate) fn at_extent(&self, extent: R) -> [R; N] {
         self.units.map(|unit| extent * unit)

@@ -1,4 +1,4 @@
-//! [`System`]: what generated code implements, and the two ways to run it.
+//! [`System`]: the trait that generated code implements, and the two ways to run it.
 
 pub mod attitude;
 pub mod control;
@@ -65,7 +65,7 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// Accelerations that solve M a = f. NaN or infinite where M has no inverse.
     ///
     /// No branch leaves this function early, so that sines and cosines stay together and loops over it
-    /// vectorise; [`System::check_at`] tells what was wrong.
+    /// vectorise; [`System::check_at`] finds the cause.
     fn accelerations_at(
         &self,
         constants: &Self::Constants,
@@ -201,10 +201,9 @@ pub trait System<const N: usize, const K: usize = 0> {
     #[doc(hidden)]
     const READ: bool = false;
 
-    /// Whether the functions of the description return what was read of them.
+    /// Whether the functions of the description return what the macro has read.
     ///
-    /// # Errors
-    /// [`Cause::Misread`] with the function.
+    /// # Errors [`Cause::Misread`] with the function.
     #[doc(hidden)]
     #[inline(always)]
     fn check_reading_at(

@@ -11,7 +11,7 @@ impl Name {
     /// No name.
     pub const NONE: Self = Self(&"");
 
-    /// A name. By a reference to a reference, which is half the size.
+    /// A name. A reference to a reference is half the size.
     #[must_use]
     pub const fn new(name: &'static &'static str) -> Self {
         Self(name)

@@ -1,4 +1,4 @@
-//! What the macro has proved of a system, as traits: an integrator asks for what it needs.
+//! Properties that the macro has proved of a system, as traits: an integrator asks for those that it needs.
 //!
 //! `#[lagrangian]` implements a trait here for a system only if the property follows from its equations
 //! whatever the parameters, so that a method which would go wrong on a system does not compile on it.
@@ -16,8 +16,8 @@ pub trait ConstantMass<const N: usize, const K: usize = 0>: System<N, K> {}
 /// Constant mass matrix, forces that do not depend on velocities, and no constraints but eliminated ones: M a
 /// = f(q, t, u).
 ///
-/// Drifts (q moves, v stays) and kicks (v changes, q stays) are then exact motions of their own, of which
-/// splitting methods are made.
+/// Drifts (q moves, v stays) and kicks (v changes, q stays) are then exact motions of their own. Splitting
+/// methods are made of these.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not separable: its mass matrix varies, a force depends on velocities, or a constraint holds it",
     label = "a splitting method does not work on `{Self}`",
@@ -26,8 +26,8 @@ pub trait ConstantMass<const N: usize, const K: usize = 0>: System<N, K> {}
 )]
 pub trait Separable<const N: usize, const K: usize = 0>: ConstantMass<N, K> {}
 
-/// Equations of motion M a = f and constraints without time. A Lagrangian with a part such as t v, which is
-/// −q but for a total derivative, may have them; its momenta depend on time then, and it is not
+/// Equations of motion M a = f and constraints without time. A Lagrangian with a part such as t v, which
+/// equals −q up to a total derivative, may have them. Its momenta depend on time then, and it is not
 /// [`Conservative`].
 #[diagnostic::on_unimplemented(
     message = "the equations of `{Self}` depend on time",

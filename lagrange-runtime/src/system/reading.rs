@@ -1,9 +1,9 @@
-//! Whether a description was read as Rust runs it: what the macro took a function for, beside what the
-//! function returns.
+//! The check that a description was read as Rust runs it: the macro's reading of a function, beside the value
+//! that the function returns.
 //!
 //! The functions of a description stay ordinary functions. In builds with `debug_assertions` the first use of
-//! a system evaluates each of them, and what was read of it, at its start and at a second state where nothing
-//! is zero. Other builds contain none of this.
+//! a system evaluates each of them, and the macro's reading of it, at its start and at a second state where
+//! nothing is zero. Other builds contain none of this.
 
 use nalgebra::{
     Isometry, OPoint, Quaternion, Rotation, SMatrix, Translation, Unit, UnitComplex, UnitQuaternion,
@@ -15,20 +15,20 @@ use crate::system::error::magnitude;
 use crate::system::error::{Cause, Function, MotionError};
 use crate::system::state::State;
 
-/// What to say of a function that was misread, after its name. Generated code names it where it compares, so
-/// that builds without comparisons do not carry it.
+/// The message about a function that was misread, after its name. Generated code names it where it compares,
+/// so that builds without comparisons do not carry it.
 pub const MISREAD: &str = "returns something else than what the macro read of it: a type, a constant, a trait or a macro in it \
     means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say \
     `allow(misread)` in the attribute if the function loses most of its digits by rounding";
 
-/// What a function with a role can return, as numbers in a fixed order.
+/// A value that a function with a role can return, as numbers in a fixed order.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no value that a description is made of",
     note = "positions, poses and forces are numbers, arrays, tuples and types of the nalgebra that `lagrangian::nalgebra` is"
 )]
 pub trait Numbers<R> {
-    /// Hands all numbers over: matrices column by column, of rotations in the plane cosine and sine, of those
-    /// in space the entries row by row.
+    /// Hands all numbers over: matrices column by column, rotations in the plane as cosine and sine,
+    /// rotations in space as their entries row by row.
     fn each_number(&self, take: &mut dyn FnMut(R));
 }
 
@@ -123,18 +123,17 @@ impl<R: Real, T: Numbers<R>, const D: usize> Numbers<R> for Isometry<R, T, D> {
     }
 }
 
-/// Compares what a function returns, given by its [`Numbers::each_number`], with what was read of it, number
-/// by number.
+/// Compares the numbers that a function returns, by [`Numbers::each_number`], with the macro's reading of it,
+/// number by number.
 ///
-/// What cancels between the components of a vector or of a rotation leaves rounding of the size of the
-/// others, so the largest size counts for all. `sizes` bound the terms that the numbers are added up from,
-/// with the conditions of the functions that they went through (N. J. Higham, Accuracy and Stability of
-/// Numerical Algorithms, 2002, section 3.3). Rounding is far below half of the digits of that, and an
-/// evaluation that has lost more than half is worth a word too. What is infinite or not a number lies outside
-/// the domain of the function and is not compared.
+/// Terms that cancel between the components of a vector or of a rotation leave rounding errors of the size of
+/// the others, so the largest size counts for all. `sizes` bound the terms that the numbers are added up
+/// from, with the conditions of the functions that they went through (N. J. Higham, Accuracy and Stability of
+/// Numerical Algorithms, 2002, section 3.3). Rounding errors are far below half of the digits of that, and an
+/// evaluation that has lost more than half is worth a word too. Numbers that are not finite lie outside the
+/// domain of the function and are not compared.
 ///
-/// # Errors
-/// [`Cause::Misread`] with the function.
+/// # Errors [`Cause::Misread`] with the function.
 pub fn compare<R: Real>(
     function: Function,
     found: impl FnOnce(&mut dyn FnMut(R)),
@@ -244,7 +243,7 @@ mod tests {
         let wrong = compare(NAME, |take| [1.0, 2.0].each_number(take), &[1.0, 2.001], &[1.0, 2.0]);
         assert!(matches!(wrong, Err(Cause::Misread { function: NAME, .. })), "{wrong:?}");
         assert!(std::format!("{}", wrong.unwrap_err()).starts_with("`height` returns something else than"));
-        // Terms that cancel leave what rounding makes of them.
+        // Terms that cancel leave rounding errors.
         assert_eq!(compare(NAME, |take| 1e-16.each_number(take), &[0.0], &[1.0]), Ok(()));
         assert!(compare(NAME, |take| 1e-7.each_number(take), &[0.0], &[1.0]).is_err());
         // Singles have half as many digits.

@@ -16,16 +16,16 @@ use crate::system::System;
             contacts and dry friction"
 )]
 pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
-    /// Whether a function in the equations can hide from a series: exponentials, hyperbolic functions and
-    /// high negative powers vanish beside other terms, or underflow, a few of their widths away. Steps
-    /// under error control are then compared with the equations at some places, and grow with restraint.
+    /// Whether a function in the equations can hide from a series. Exponentials, hyperbolic functions and
+    /// high negative powers vanish beside other terms, or underflow, a few of their widths away. Steps under
+    /// error control are then compared with the equations at some points, and grow with restraint.
     const STEEP: bool = false;
 
     /// Whether the mass matrix is factored with pivots that all lanes of a vector share, so that rounding
     /// errors of a lane depend on the others.
     const SHARES_PIVOTS: bool = false;
 
-    /// What depends on parameters alone, computed once per run.
+    /// Values that depend on parameters alone, computed once per run.
     type JetConstants: Copy + core::fmt::Debug;
 
     /// The coefficients of all factors of products, for expansions to order `P`.
@@ -86,9 +86,9 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
         }
     }
 
-    /// What coordinates and velocities gain in `theta` units of the scaled time: the terms of the orders 1 to
-    /// `orders`, smallest first. Horner's scheme for odd and even orders side by side, which neither waits
-    /// for.
+    /// The changes of coordinates and velocities in `theta` units of the scaled time: the terms of the orders
+    /// 1 to `orders`, smallest first. Horner's scheme for odd and even orders side by side, which neither
+    /// waits for.
     #[inline]
     pub fn gain(&self, theta: R, orders: usize) -> ([R; N], [R; N]) {
         let zero = [R::zero(); N];
@@ -159,7 +159,8 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
         }
     }
 
-    /// What coordinates and velocities gain in one unit of the scaled time, all orders, smallest terms first.
+    /// The changes of coordinates and velocities in one unit of the scaled time, all orders, smallest terms
+    /// first.
     #[inline(always)]
     pub fn sum(&self) -> ([R; N], [R; N]) {
         let (mut q, mut v) = ([R::zero(); N], [R::zero(); N]);

@@ -1,8 +1,8 @@
 //! Solving M a = f in generated code. Reached through `__private` only.
 //!
-//! Nothing here branches away from the straight line: a matrix without an inverse gives NaN, which the
-//! integrator notices, and the functions `check…` then say which coordinate it is. A pivot counts as zero
-//! where it is below the rounding errors of what it was subtracted from.
+//! No branch leaves the straight line here: a matrix without an inverse gives NaN, which the integrator
+//! notices, and the functions `check…` then find the coordinate. A pivot counts as zero where it is below the
+//! rounding errors of the number that it was subtracted from.
 
 use nalgebra::SMatrix;
 
@@ -30,8 +30,8 @@ pub fn pivot<R: Real>(value: R, scale: R) -> R {
 
 /// Checks a pivot of a factorisation that is written out.
 ///
-/// # Errors
-/// [`Cause::SingularMassMatrix`] with the coordinate; [`Cause::NotFinite`] for a pivot that is no number.
+/// # Errors [`Cause::SingularMassMatrix`] with the coordinate; [`Cause::NotFinite`] for a pivot that is NaN
+/// or infinite.
 #[inline]
 pub fn check<R: Real>(value: R, scale: R, coordinate: usize) -> Result<(), Cause> {
     if carries(value, scale) {
@@ -41,8 +41,8 @@ pub fn check<R: Real>(value: R, scale: R, coordinate: usize) -> Result<(), Cause
     }
 }
 
-/// A factorisation stops at a NaN as it stops at a zero pivot; whether the numbers are finite tells them
-/// apart.
+/// The cause of a pivot that is zero or NaN: a factorisation stops at either, and whether the numbers are
+/// finite tells them apart.
 fn singular(finite: bool, coordinate: usize) -> Cause {
     if finite { Cause::SingularMassMatrix { pivot: coordinate, name: Name::NONE } } else { Cause::NotFinite }
 }

@@ -15,7 +15,7 @@ pub struct State<R, const N: usize> {
     pub v: [R; N],
 }
 
-/// What a state is made of: whatever converts into its numbers.
+/// Anything that converts into the numbers of a state.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not convert into the numbers of a state",
     label = "not the numbers of a state",

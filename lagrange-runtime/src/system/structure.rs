@@ -1,4 +1,4 @@
-//! What the macro found out about a system: operation counts and structure, as constants of the model.
+//! The macro's findings about a system: operation counts and structure, as constants of the model.
 
 use core::fmt;
 use core::ops::Add;
@@ -77,7 +77,7 @@ impl fmt::Display for Costs {
     }
 }
 
-/// What the macro proved about a system and what it therefore left out.
+/// The properties that the macro has proved of a system, and the work that it therefore left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Structure {
     /// Form of the mass matrix, such as "constant diagonal".

@@ -17,8 +17,8 @@ pub struct Twist2<R> {
     pub angular_velocity: R,
 }
 
-/// Velocity of a rigid body in space: what `self.hub_velocity(q, v)` returns. The velocities of a state have
-/// a [`PoseVelocity`](crate::attitude::PoseVelocity) for each pose among the coordinates.
+/// Velocity of a rigid body in space, returned by `self.hub_velocity(q, v)`. The velocities of a state have a
+/// [`PoseVelocity`](crate::attitude::PoseVelocity) for each pose among the coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist3<R> {
     /// Where the body's reference point is \[m\].

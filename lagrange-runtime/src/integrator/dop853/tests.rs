@@ -4,7 +4,7 @@ use super::*;
 use crate::integrator::samples::{Driven, distance, driven};
 use crate::system::System;
 
-/// [`Driven`] as the integrator wants it.
+/// [`Driven`] in the form that the integrator takes.
 struct Plain;
 
 impl Field<f64, 1> for Plain {

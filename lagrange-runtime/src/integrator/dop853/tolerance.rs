@@ -1,12 +1,12 @@
-//! What a step of Dormand–Prince 8(5,3) may do wrong in each number, and the norm of its error.
+//! The tolerance of each number in a step of Dormand–Prince 8(5,3), and the norm of the error of a step.
 //!
 //! The tolerance of a number is absolute + relative · size. Its size is the largest that it has, or that its
-//! derivatives make of it, in the step: |q|, h|v| and h²|a| for a coordinate, |v| and h|a| for a velocity.
-//! So a number that passes through zero is compared with its motion, and units do not matter.
+//! derivatives make of it, in the step: |q|, h|v| and h²|a| for a coordinate, |v| and h|a| for a velocity. So
+//! a number that passes through zero is compared with its motion, and units do not matter.
 //!
 //! Two errors stay in proportion to the motion in steps of any length: those of accelerations that are
-//! nothing but roundings, and those of jumps. [`unavoidable`](super::unavoidable) tells them; they count as
-//! none. Hairer, Nørsett, Wanner, "Solving ODEs I", 2nd ed., II.4.
+//! nothing but rounding errors, and those of jumps. [`unavoidable`](super::unavoidable) finds them; they do
+//! not count. Hairer, Nørsett, Wanner, "Solving ODEs I", 2nd ed., II.4.
 
 use num_traits::Zero;
 
@@ -31,8 +31,8 @@ pub(super) struct Tried<'a, R, const N: usize> {
 }
 
 impl<R: Ordered, const N: usize> Tried<'_, R, N> {
-    /// The error of the step in tolerances, without what is `unavoidable` of the errors of the coordinates
-    /// and of the velocities; not finite where a number of the step is not.
+    /// The error of the step in tolerances, without the `unavoidable` errors of the coordinates and of the
+    /// velocities. It is not finite where a number of the step is not.
     #[inline]
     pub fn error(&self, limits: &Limits<R>, unavoidable: &[[R::Lane; N]; 2]) -> R {
         let mut error = R::zero();
@@ -48,9 +48,9 @@ impl<R: Ordered, const N: usize> Tried<'_, R, N> {
 
     /// The same of a step whose end is moved onto the constraints afterwards.
     ///
-    /// That takes errors across the constraints away, and what it makes of them along the constraints is of
-    /// second order: they may have half of the digits. Across constraints that pin a coordinate accelerations
-    /// are nothing but roundings.
+    /// That removes errors across the constraints. Their effect along the constraints is of second order, so
+    /// they may have half of the digits. Accelerations across constraints that pin a coordinate are nothing
+    /// but rounding errors.
     #[cold]
     pub fn projected_error<F: Field<R, N>>(
         &self,
@@ -70,7 +70,7 @@ impl<R: Ordered, const N: usize> Tried<'_, R, N> {
         let [along, across] = parts.map(|([fifth, third], limits)| {
             Tried { estimates: [&fifth, &third], ..*self }.error(limits, unavoidable)
         });
-        // The second of two that cannot be compared.
+        // `larger` returns the second of two that cannot be compared.
         if along.is_finite() { larger(along, across) } else { along }
     }
 
@@ -87,7 +87,7 @@ impl<R: Ordered, const N: usize> Tried<'_, R, N> {
             for k in 0..2 {
                 let mut error = h * of(fifth[k][n]).abs();
                 if part == 0 {
-                    // The second of two that cannot be compared: NaN stays.
+                    // `larger` returns the second of two that cannot be compared, so NaN stays.
                     error = larger(R::Lane::zero(), error - unavoidable[k][n]);
                 }
                 if error.is_positive() || !error.is_finite() {
@@ -119,7 +119,7 @@ impl<R: Ordered, const N: usize> Tried<'_, R, N> {
             let absolute = if part == 0 {
                 given.unwrap_or_else(R::Lane::zero)
             } else {
-                // Linear equations have no scale: an error of a derivative is one beside the whole of its
+                // Linear equations have no scale, so an error of a derivative is relative to the whole of its
                 // column.
                 let whole = sizes.iter().fold(R::Lane::zero(), |most, &size| larger(most, size));
                 given.unwrap_or(relative) * whole

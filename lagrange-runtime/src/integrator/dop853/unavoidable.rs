@@ -1,11 +1,13 @@
-//! Errors that no length of a step makes small beside the motion: roundings of the accelerations, and jumps.
+//! Errors that no length of a step makes small beside the motion: rounding errors of the accelerations, and
+//! jumps.
 //!
-//! At rest on a spring that bears a weight, and across constraints, accelerations are nothing but roundings.
-//! A few ulps more or less in the state show how large those are, and a smooth motion cannot be known better
-//! than that either. They have to show at both ends of a step: a jump beside one of them is not a rounding.
+//! At rest on a spring that bears a weight, and across constraints, accelerations are nothing but rounding
+//! errors. A few ulps more or less in the state show how large those are, and a smooth motion cannot be known
+//! better than that either. They must show at both ends of a step: a jump beside one of them is no rounding
+//! error.
 //!
 //! An error that does not fall as the step gets shorter is one of a jump. Once the step is the tolerance's
-//! part of the first attempt, what the jump changes is the tolerance's part of the motion of that attempt.
+//! part of the first attempt, the change by the jump is the tolerance's part of the motion of that attempt.
 
 use num_traits::Zero;
 
@@ -21,7 +23,7 @@ use crate::system::state::State;
 /// Changes of a state in ulps: of its even numbers, and of its odd ones.
 const PROBES: [[f64; 2]; 3] = [[1.0, 1.0], [-2.0, -2.0], [3.0, -3.0]];
 
-/// Evaluations that it takes to see the roundings of a step.
+/// The evaluations that show the rounding errors of a step.
 const EVALUATIONS: u64 = 2 * PROBES.len() as u64 + 1;
 
 /// The attempts at one step so far.
@@ -68,8 +70,8 @@ impl<L: Ordered, const N: usize> Attempts<L, N> {
         core::array::from_fn(|n| if errors[n] >= part * first[n] { errors[n] } else { L::zero() })
     }
 
-    /// The error of a step in tolerances without what is unavoidable, which counts evaluations where the
-    /// constraints alone do not explain it.
+    /// The error of a step in tolerances without the unavoidable part. If the constraints alone do not
+    /// explain it, it costs evaluations, which are counted.
     #[cold]
     pub fn avoidable_error<R, F>(
         &self,
@@ -90,7 +92,7 @@ impl<L: Ordered, const N: usize> Attempts<L, N> {
         tried.projected_error(f, limits, &self.unavoidable(f, tried))
     }
 
-    /// What is unavoidable of the errors of the coordinates and of the velocities in a step.
+    /// The unavoidable errors of the coordinates and of the velocities in a step.
     fn unavoidable<R, F>(&self, f: &F, tried: &Tried<'_, R, N>) -> [[L; N]; 2]
     where
         R: Ordered<Lane = L>,
@@ -109,8 +111,8 @@ fn errors<R: Ordered, const N: usize>(tried: &Tried<'_, R, N>) -> [R::Lane; N] {
     tried.estimates[0].v.map(|x| x.part(0).largest().abs())
 }
 
-/// Most that accelerations of size 1 in the stages make of the estimated errors of the coordinates (by h²)
-/// and of the velocities (by h).
+/// The largest estimated errors of the coordinates (by h²) and of the velocities (by h) that accelerations of
+/// size 1 in the stages can cause.
 fn bounds() -> [f64; 2] {
     let [mut q, mut v] = [0.0; 2];
     for (weight, row) in E5.iter().zip(&A) {
@@ -120,8 +122,8 @@ fn bounds() -> [f64; 2] {
     [q, v]
 }
 
-/// The size of the roundings of each acceleration, as a few ulps of the state show them at both ends of a
-/// step.
+/// The size of the rounding errors of each acceleration, as a few ulps of the state show them at both ends of
+/// a step.
 fn roundings<R: Ordered, F: Field<R, N>, const N: usize>(f: &F, tried: &Tried<'_, R, N>) -> [R::Lane; N] {
     let (from, to, h) = (tried.from, tried.to, tried.h);
     let at_start = changes(f, from.t, from, tried.slope, h);

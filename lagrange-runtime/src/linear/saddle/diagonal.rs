@@ -15,7 +15,7 @@ pub struct Diagonal<R, const N: usize, const C: usize> {
     inverse_masses: [R; N],
     /// M⁻¹ Aᵀ.
     drift: [[R; C]; N],
-    /// A M⁻¹; of small systems S⁻¹ A M⁻¹, what a component of the lack adds to v.
+    /// A M⁻¹. For small systems S⁻¹ A M⁻¹, the change of v by a component of the lack.
     rows: [[R; N]; C],
     schur: Schur<R, C>,
 }

@@ -1,25 +1,25 @@
 //! The common size of several reactions, which drives friction.
 //!
-//! A load N = |F| is an unknown like the reactions κ that its force F is a sum of. Friction adds to the
-//! reactions what is proportional to N, so that F = a + X N. Here a is the force without friction and X the
-//! response to a load of one. Each load gives one scalar equation |a + X N| = N, which is convex. Newton's
-//! method from N = 0 finds its solution, which exists and is unique where |X| < 1. Otherwise the equation has
-//! no solution or two, and friction jams. Several loads have one solution where the matrix of all |X| is a
-//! contraction, which its pivots tell.
+//! A load N = |F| is an unknown like the reactions κ that its force F is a sum of. Friction changes the
+//! reactions in proportion to N, so that F = a + X N. Here a is the force without friction and X the response
+//! to a load of one. Each load gives one scalar equation |a + X N| = N, which is convex. Newton's method from
+//! N = 0 finds its solution, which exists and is unique where |X| < 1. Otherwise the equation has no solution
+//! or two, and friction jams. Several loads have one solution where the matrix of all |X| is a contraction,
+//! which its pivots tell.
 //!
-//! Along a motion N² = F · F holds for the series as well. Of order zero that is the equation above. Of an
-//! order k above, N\[k] = n · F\[k] plus what lower orders give, with the direction n = F\[0] / N\[0]: a
-//! linear equation. Where a force begins to grow from zero, its first order that is not zero has the part of
-//! order zero.
+//! Along a motion N² = F · F holds for the series as well. Its order zero is the equation above. Its order k
+//! above gives N\[k] = n · F\[k] plus terms of lower orders, with the direction n = F\[0] / N\[0]: a linear
+//! equation. Where a force begins to grow from zero, its first order that is not zero has the part of order
+//! zero.
 
 use super::vectors::{pick, put};
 use crate::linear::Lu;
 use crate::number::real::Real;
 
-/// So often Newton's method is tried at most. It converges by squares, and from N = 0 without turning back.
+/// The most steps of Newton's method. It converges by squares, and from N = 0 without turning back.
 const ITERATIONS: usize = 64;
 
-/// Rounding errors of a force that a load is compared with.
+/// The number of rounding errors of a force with which a load is compared.
 const ULPS: f64 = 16.0;
 
 /// A row that is no constraint: its multiplier follows from others.
@@ -47,17 +47,17 @@ impl Load {
     }
 }
 
-/// Loads whose friction changes the forces that they are the sizes of.
+/// Loads whose friction changes the forces that make them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Loads<R, const C: usize> {
     table: &'static [Load],
     /// The factors of the sums.
     shares: [[R; C]; C],
-    /// What a unit load does to all multipliers, in the place of its row.
+    /// The response of all multipliers to a unit load, at the index of its row.
     response: [[R; C]; C],
 }
 
-/// What is known of the size of a force: N = n · F + rest.
+/// The tangent of the size of a force: N = n · F + rest.
 struct Tangent<R, const C: usize> {
     /// The direction n by row; zero of rows that are no components.
     direction: [R; C],
@@ -81,7 +81,7 @@ impl<R: Real, const C: usize> Loads<R, C> {
         self.table.iter().filter(|load| matches!(load, Load::Sum { .. })).map(Load::row)
     }
 
-    /// Gives loads bounds of their errors from those of what they are made of.
+    /// Bounds the errors of loads by those of their terms.
     pub(super) fn bound(&self, bounds: &mut [R; C]) {
         for load in self.table {
             let bound = match *load {
@@ -124,7 +124,7 @@ impl<R: Real, const C: usize> Loads<R, C> {
         true
     }
 
-    /// All multipliers, from those that there would be without loads. NaN where Newton's method fails.
+    /// All multipliers, from the multipliers without loads. NaN where Newton's method fails.
     pub(super) fn solve(&self, free: &[R; C]) -> [R; C] {
         self.settled(free, |_, _| None)
     }
@@ -193,7 +193,7 @@ impl<R: Real, const C: usize> Loads<R, C> {
                 !(change - R::from_f64(ULPS) * R::epsilon() * size).is_positive()
             });
             multipliers = next;
-            // Once more after it has converged, for what numbers carry beside their values.
+            // One more step after convergence, for the derivatives that numbers carry.
             if is_linear || has_converged {
                 return multipliers;
             }
@@ -203,7 +203,7 @@ impl<R: Real, const C: usize> Loads<R, C> {
     }
 }
 
-/// The size of a force about its present value. Of a force that is zero nothing is known.
+/// The tangent of the size of a force at its present value. A force that is zero has none.
 fn tangent<R: Real, const C: usize>(multipliers: &[R; C], parts: &[usize]) -> Tangent<R, C> {
     let size = parts.iter().fold(R::zero(), |sum, &part| sum.hypot(pick(multipliers, part)));
     let mut direction = [R::zero(); C];

@@ -31,8 +31,8 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     }
     let mut independence = Independence::clear(count);
     let mut rows = scaled.rows;
-    // The unit matrix with the operations on rows made so far. Not in place of columns of A, and not only up
-    // to the diagonal: constant places and lengths are faster than half the work.
+    // The unit matrix with the operations on rows made so far. It is not stored in place of columns of A, nor
+    // computed up to the diagonal only: constant indices and lengths are faster than half the work.
     let mut parts = [[R::zero(); C]; C];
     // The coordinate of each row, then those that stay free.
     let mut places: [usize; N] = core::array::from_fn(|i| i);
@@ -87,7 +87,7 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     Some(independence)
 }
 
-/// The entry whose smallest lane is largest, and where it is: by halves, so that few comparisons wait for
+/// The entry whose smallest lane is largest, and its index: by halves, so that few comparisons wait for
 /// others.
 #[inline(always)]
 fn largest<R: Real, const N: usize>(row: &[R; N]) -> usize {

@@ -3,14 +3,14 @@
 use super::scaled::units;
 use crate::number::real::Real;
 
-/// M, A, friction and forces at a state; `L` has the factors of the sums that are loads.
+/// M, A, friction and forces at a state; `L` holds the factors of the sums that are loads.
 #[derive(Clone, Copy, Debug)]
 pub struct Parts<R, const N: usize, const C: usize, L = ()> {
     /// The lower triangle of M.
     pub mass: [[R; N]; N],
     /// A, of the active rows.
     pub gradients: [[R; N]; C],
-    /// What a reaction adds to the force of its row.
+    /// The change of the force of a row by a reaction.
     pub coupling: [[R; N]; C],
     /// One for a row that is active, else zero.
     pub active: [R; C],
@@ -22,7 +22,7 @@ pub struct Parts<R, const N: usize, const C: usize, L = ()> {
     pub gamma: [R; C],
 }
 
-/// What is known of the rows of a system without its factors.
+/// The rows of a system without its factors.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows<R, const N: usize, const C: usize> {
     /// A, of the active rows.
@@ -36,7 +36,7 @@ pub struct Rows<R, const N: usize, const C: usize> {
 }
 
 impl<R: Real, const N: usize, const C: usize, L> Parts<R, N, C, L> {
-    /// What needs no factors.
+    /// The part that needs no factors.
     #[inline]
     pub fn rows(&self) -> Rows<R, N, C> {
         let Self { gradients, gamma, forces, .. } = *self;

@@ -17,9 +17,9 @@ use crate::linear::independence::{CLEAR, Independence, dependent};
 /// The independent rows of A and the reflectors that make them triangular.
 pub(in crate::linear) struct Range<R, const N: usize, const C: usize> {
     units: [R; N],
-    /// Sizes of the rows of A in these units; this and all below in the order of `order`.
+    /// Sizes of the rows of A in these units. This and all fields below are in the order of `order`.
     sizes: [R; C],
-    /// The row of A in each place; independent ones first.
+    /// The rows of A in their order here; independent ones first.
     order: [usize; C],
     /// u of 1 − β u uᵀ.
     reflectors: [[R; N]; C],
@@ -33,7 +33,7 @@ pub(in crate::linear) struct Range<R, const N: usize, const C: usize> {
     pub(in crate::linear) rank: usize,
     /// The smallest distance of an independent row from the span of those before it.
     least: R,
-    /// Its place.
+    /// The index of that row.
     closest: usize,
     /// The first row of zeros.
     pub(in crate::linear) vanishing: Option<usize>,
@@ -59,8 +59,8 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
         }
     }
 
-    /// The rows and the coordinates in the order given: a decision for lanes in common is none. `None` unless
-    /// all rows are clearly independent in every lane.
+    /// The rows and the coordinates in the order given, without a decision for all lanes in common. `None`
+    /// unless all rows are clearly independent in every lane.
     pub(in crate::linear) fn in_order(scaled: &Scaled<R, N, C>) -> Option<Self> {
         if C > N {
             return None;

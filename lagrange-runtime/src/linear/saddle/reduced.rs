@@ -5,7 +5,8 @@ use crate::number::real::Real;
 use super::symmetric;
 use super::vectors::{add_scaled, dot, scale, where_positive};
 
-/// B and what is solved with it. Vectors are rows; those of the null space have the indices `rank..N`.
+/// B and the vectors that are solved with it. Vectors are rows; those of the null space have the indices
+/// `rank..N`.
 pub(super) struct Reduced<'a, R, const N: usize> {
     pub(super) mass: &'a [[R; N]; N],
     /// Z.
@@ -93,8 +94,8 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
     #[inline(always)]
     fn indefinite(&mut self, rank: usize) -> Result<(), usize> {
         let Self { mass, basis, matrix, solution, .. } = self;
-        // What the entries of B would be without cancellation. In the units that vectors were made in they
-        // all have similar sizes, so the sum does for all.
+        // The entries of B as they would be without cancellation. In the units of the vectors they all have
+        // similar sizes, so the sum serves for all.
         let mut total = R::zero();
         for vector in basis.iter().skip(rank) {
             let sizes = vector.map(R::abs);

@@ -71,8 +71,8 @@ pub(super) fn units<R: Real, const N: usize, const C: usize>(mass: &[[R; N]; N],
     if all { units } else { completed(mass, a) }
 }
 
-/// How much larger a column of A may be for a coordinate without inertia than for others: such coordinates
-/// had better be those that are expressed by others.
+/// How much larger a column of A may be for a coordinate without inertia than for others. Such coordinates
+/// should be expressed by others.
 const LIGHT: f64 = 8.0;
 
 /// Units of coordinates without inertia of their own.

@@ -7,12 +7,12 @@ use super::{Saddle, symmetric};
 use crate::number::real::Real;
 
 impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
-    /// As [`Saddle::factor`], for lanes that are to be kept apart: where rows are clearly independent in all
-    /// of them, an orthogonal factorisation in the order given needs no pivots that they would share.
+    /// As [`Saddle::factor`], for lanes that are kept apart. Where rows are clearly independent in all of
+    /// them, an orthogonal factorisation in the order given needs no pivots that they would share.
     #[inline]
     #[must_use]
     pub fn factor_side_by_side(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
-        // Derivatives are beside a number, too.
+        // Derivatives stand beside a number, too.
         let has_lanes = R::PARTS == 1 && size_of::<R>() > size_of::<R::Lane>();
         if has_lanes && let Some(this) = Self::side_by_side(mass, a) { this } else { Self::factor(mass, a) }
     }

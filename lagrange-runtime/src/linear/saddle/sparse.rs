@@ -2,14 +2,14 @@
 //! links of a chain, a net of rods.
 //!
 //! The Schur complement S = A M⁻¹ Aᵀ couples constraints with a common coordinate. It is factored as L D Lᵀ
-//! in an order with little fill that was found at expansion, row by row over the places that can differ from
+//! in an order with little fill that was found at expansion, row by row over the entries that can differ from
 //! zero (Davis, "Direct Methods for Sparse Linear Systems", 2006, ch. 4). So factors, solutions and memory
 //! are in proportion to the system.
 //!
-//! The order has no regard to sizes. So every pivot is held against what it was before anything was
-//! subtracted, as in [`Schur`]: S is known to about ε of its diagonal times the number of neighbours, and
-//! what is above that bound has lost three digits more at most, in any order. Where a pivot is below it,
-//! [`Schur`] decides about rank, with pivoting, on the whole of A.
+//! The order has no regard to sizes. So every pivot is compared with its value before anything was
+//! subtracted, as in [`Schur`]: S is known to about ε of its diagonal times the number of neighbours. A pivot
+//! above that bound has lost three digits more at most, in any order. Where a pivot is below it, [`Schur`]
+//! decides about rank, with pivoting, on the whole of A.
 
 use crate::linear::Independence;
 use crate::linear::gradients::{Gradients, SparseRows, entry};
@@ -37,7 +37,7 @@ pub struct Sparse<R, const N: usize, const C: usize, const A: usize, const L: us
 }
 
 impl<R: Real, const N: usize, const C: usize, const A: usize, const L: usize> Sparse<R, N, C, A, L> {
-    /// Factors. An inverse mass of zero is that of a coordinate that nothing moves; a negative one gives NaN
+    /// Factors. An inverse mass of zero belongs to a coordinate that nothing moves. A negative one gives NaN
     /// where it makes a row of A negative.
     #[inline]
     #[must_use]
@@ -56,13 +56,13 @@ impl<R: Real, const N: usize, const C: usize, const A: usize, const L: usize> Sp
         this
     }
 
-    /// L D Lᵀ; whether no pivot is small.
+    /// Factors as L D Lᵀ. Returns whether no pivot is small.
     #[inline(never)]
     fn decompose(&mut self) -> bool {
         let Self { inverse_masses, gradients, factor, inverse, independence, .. } = self;
         let pattern = gradients.pattern();
         let rows = starts::<C>(pattern.coordinates);
-        // Of each column of L, where it begins and where it ends so far.
+        // For each column of L the index where it begins, and the one where it ends so far.
         let columns = starts::<C>(pattern.later);
         let mut ends = columns;
         // A row of A M⁻¹ and a row of L D; zero where the row at hand has no entry.
@@ -114,7 +114,7 @@ impl<R: Real, const N: usize, const C: usize, const A: usize, const L: usize> Sp
         true
     }
 
-    /// By the rows that are independent, in a pivoted order.
+    /// Factors by the independent rows, in a pivoted order.
     #[cold]
     #[inline(never)]
     fn carefully(&mut self) {
@@ -123,7 +123,7 @@ impl<R: Real, const N: usize, const C: usize, const A: usize, const L: usize> Sp
         self.careful = Some(Stored::new(schur));
     }
 
-    /// κ with S κ = `y`, as of [`Schur::solve`].
+    /// κ with S κ = `y`, as by [`Schur::solve`].
     #[inline]
     fn multipliers(&self, y: &[R; C]) -> [R; C] {
         if let Some(schur) = &self.careful {
@@ -170,7 +170,7 @@ impl<R: Real, const N: usize, const C: usize, const A: usize, const L: usize> Sp
         &self.gradients
     }
 
-    /// κ for the Taylor coefficients of an order, as of [`Schur::solve_order`].
+    /// κ for the Taylor coefficients of an order, as by [`Schur::solve_order`].
     #[inline]
     #[must_use]
     pub fn solve_order(&self, order: usize, y: [R; C]) -> [R; C] {

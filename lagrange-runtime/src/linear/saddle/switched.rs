@@ -21,7 +21,7 @@ use crate::number::real::Real;
 #[derive(Clone, Copy, Debug)]
 pub struct Switched<R, const N: usize, const C: usize> {
     saddle: Saddle<R, N, C>,
-    /// P Dᵀ: what friction adds to v for each reaction.
+    /// P Dᵀ: the change of v by friction for each reaction.
     driven: [[R; N]; C],
     jam: Jam<R, C>,
 }
@@ -31,7 +31,7 @@ pub struct Switched<R, const N: usize, const C: usize> {
 enum Jam<R, const C: usize> {
     /// No reaction drives friction.
     None,
-    /// That of one row does: the matrix is one but for its column. Its own entry is inverted.
+    /// The reaction of one row does: the matrix is one except for its column. Its own entry is inverted.
     Single {
         row: usize,
         inverse: R,
@@ -126,9 +126,9 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
         this
     }
 
-    /// [`solve_motion`](SaddlePoint::solve_motion) of an order of a series, from 1 on. `known` are the
-    /// multipliers of the orders before, and κ is `rate` times those of this one. Of rows that are sums of
-    /// others `y` is what lacks of them.
+    /// [`solve_motion`](SaddlePoint::solve_motion) for an order of a series, from 1 on. `known` are the
+    /// multipliers of the orders before, and κ is `rate` times those of this one. For rows that are sums of
+    /// others `y` is the lack.
     #[must_use]
     pub fn solve_order(
         &self,
@@ -148,7 +148,7 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
         self.driven(v, loads.solve_order(&lu.solve(free), rate, known))
     }
 
-    /// What friction adds to v.
+    /// The change of v by friction.
     #[inline]
     fn driven(&self, mut v: [R; N], kappa: [R; C]) -> ([R; N], [R; C]) {
         for (driven, &x) in self.driven.iter().zip(&kappa) {
@@ -166,13 +166,13 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
 }
 
 impl<R: Real, const C: usize> Jam<R, C> {
-    /// Of a matrix that is one but for a column. With that row first it is triangular, and solving by
+    /// Factors a matrix that is one except for a column. With that row first it is triangular, and solving by
     /// substitution needs no pivots.
     #[inline]
     fn single(matrix: &[[R; C]; C], row: usize) -> Self {
         let column: [R; C] = core::array::from_fn(|i| pick(&matrix[i], row));
         let own = pick(&column, row);
-        // The entry is a sum of one and what friction makes of the reaction.
+        // The entry is one plus the effect of friction on the reaction.
         let size = R::one() + (own - R::one()).abs();
         let ulps = R::from_f64(2.0 * C as f64) * R::epsilon();
         if (own.abs() - ulps * size).is_positive() {

@@ -1,4 +1,4 @@
-//! What all ways to factor share: random systems, small ones by hand, and those that are singular.
+//! Tests of all ways to factor: random systems, small ones by hand, and singular ones.
 
 use super::*;
 use crate::linear::samples::Noise;

@@ -113,8 +113,8 @@ pub(in crate::linear) fn smallest<R: Real>(x: R) -> R::Lane {
     -(-x).largest()
 }
 
-/// Where the largest of some sizes is: in its smallest lane if that is above `least`, so that all lanes can
-/// use it, else in its largest lane.
+/// The index of the largest of some sizes: in its smallest lane if that is above `least`, so that all lanes
+/// can use it, else in its largest lane.
 #[inline(always)]
 pub(in crate::linear) fn best<R: Real, const C: usize>(sizes: &[R; C], least: R) -> usize {
     let (mut common, mut any) = (0, 0);
@@ -148,7 +148,7 @@ pub(in crate::linear) fn where_positive<R: Real>(value: R, excess: R) -> Option<
     if excess.largest() > R::zero().largest() { Some(value + R::zero() * excess.recip()) } else { None }
 }
 
-/// The entry at a place known at run time only; zero outside.
+/// The entry at an index known at run time only; zero outside.
 ///
 /// A few entries are compared one by one, which keeps the array in registers.
 #[inline(always)]
@@ -165,7 +165,7 @@ pub(in crate::linear) fn pick<R: Real, const N: usize>(row: &[R; N], place: usiz
     entry
 }
 
-/// Writes the entry at a place known at run time only.
+/// Writes the entry at an index known at run time only.
 #[inline(always)]
 pub(in crate::linear) fn put<T: Copy, const N: usize>(row: &mut [T; N], place: usize, entry: T) {
     if N > 4 {

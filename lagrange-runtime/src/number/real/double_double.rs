@@ -43,7 +43,7 @@ pub use decimal::ParseError;
 pub struct DoubleDouble {
     /// The nearest double.
     high: f64,
-    /// The double nearest to what that lacks; zero where `high` is not finite.
+    /// The double nearest to the remainder; zero where `high` is not finite.
     low: f64,
 }
 
@@ -74,7 +74,7 @@ impl DoubleDouble {
         self.high
     }
 
-    /// What the nearest double lacks, to the nearest double.
+    /// The remainder beside the nearest double, to the nearest double.
     #[inline]
     #[must_use]
     pub fn low(self) -> f64 {
@@ -225,7 +225,7 @@ impl Real for DoubleDouble {
         Self::from(self.high.signum())
     }
 
-    /// 2⁻¹⁰⁴: what a single operation may add to or take from 1.
+    /// 2⁻¹⁰⁴: the largest change of 1 by a single operation.
     #[inline]
     fn epsilon() -> Self {
         Self::from(f64::EPSILON * f64::EPSILON)

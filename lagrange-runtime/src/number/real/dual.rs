@@ -61,7 +61,7 @@ impl<R: Real, const D: usize> Dual<R, D> {
     }
 }
 
-/// An array of what a function gives for each index, always in line.
+/// An array of the values of a function for each index, always in line.
 #[inline(always)]
 fn each<R: Real, const D: usize>(slope: impl Fn(usize) -> R) -> [R; D] {
     let mut slopes = [R::zero(); D];
@@ -169,7 +169,7 @@ macro_rules! functions {
 }
 
 impl<R: Real, const D: usize> Real for Dual<R, D> {
-    /// Lanes have no derivatives: they are what steps and tolerances are compared in.
+    /// Lanes have no derivatives: steps and tolerances are compared in them.
     type Lane = R::Lane;
 
     const PARTS: usize = R::PARTS * (1 + D);
@@ -279,7 +279,7 @@ impl<R: Real, const D: usize> Real for Dual<R, D> {
     fn powi(self, exponent: i32) -> Self {
         let slope = match exponent {
             0 => R::zero(),
-            // One less is out of range here alone.
+            // The exponent less one would be out of range in this case alone.
             i32::MIN => self.value.powi(exponent) / self.value,
             _ => self.value.powi(exponent - 1),
         };

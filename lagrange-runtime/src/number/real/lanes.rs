@@ -242,7 +242,7 @@ mod tests {
         four: impl Fn(Lanes<f64x4>, Lanes<f64x4>) -> Lanes<f64x4>,
         eight: impl Fn(Lanes<f64x8>, Lanes<f64x8>) -> Lanes<f64x8>,
     ) {
-        // Not a number is not a number.
+        // All NaN count as one.
         let bits = |x: f64| if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() };
         for x in NUMBERS {
             for y in [0.5, -3.0, 0.0, 1e200] {
@@ -279,7 +279,7 @@ mod tests {
         (@ y $y:ident) => { $y };
     }
 
-    /// What ensembles in lanes rely on.
+    /// The property that ensembles in lanes rely on.
     #[test]
     fn a_lane_has_the_same_bits_beside_any_others() {
         alone! {

@@ -1,4 +1,4 @@
-//! The defaults of [`Real`], on a scalar that writes only what it must, against the functions of `f64`.
+//! The defaults of [`Real`] against the functions of `f64`, on a scalar with the required functions alone.
 
 use std::cell::Cell;
 

@@ -1,7 +1,7 @@
-//! Momenta, forces and accelerations by named velocities: angular ones in body axes, where a state holds
+//! Momenta, forces and accelerations by named velocities. Angular ones are in body axes, where a state holds
 //! rates of parameters.
 //!
-//! With ρ′ = J(ρ) ω, what is conjugate to ω is Jᵀ p, and the mass matrix Jᵀ M J.
+//! With ρ′ = J(ρ) ω, the conjugate of ω is Jᵀ p, and the mass matrix is Jᵀ M J.
 
 use nalgebra::{SMatrix, Vector3};
 
@@ -10,13 +10,13 @@ use crate::number::real::{Dual, Real};
 use crate::system::state::State;
 
 /// A number for each component of the named velocities, in their order: velocities, accelerations, momenta or
-/// forces. What belongs to an orientation is in body axes.
+/// forces. Components of an orientation are in body axes.
 ///
 /// The velocities of a system with orientations are made of it: `SatelliteVelocities::from(by_name)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ByName<R, const N: usize>(pub [R; N]);
 
-/// The body axes of a state: changes between what the state holds and named quantities.
+/// The body axes of a state: changes between the numbers of the state and named quantities.
 #[derive(Clone, Copy, Debug)]
 pub struct BodyAxes<R, const N: usize> {
     orientations: &'static [usize],
@@ -35,8 +35,8 @@ impl<R: Real, const N: usize> BodyAxes<R, N> {
         ByName(self.changed(self.state.v, |rho, rates| angular(rho, rates)))
     }
 
-    /// Their rates at accelerations q″, such as `accelerations` returns: of angular velocities the angular
-    /// accelerations.
+    /// Their rates at accelerations q″, such as `accelerations` returns. The rate of an angular velocity is
+    /// an angular acceleration.
     #[inline]
     #[must_use]
     pub fn accelerations(&self, a: [R; N]) -> ByName<R, N> {
@@ -62,7 +62,7 @@ impl<R: Real, const N: usize> BodyAxes<R, N> {
         })
     }
 
-    /// Momenta or forces: of orientations angular momenta \[kg m²/s] and torques \[N m].
+    /// Momenta or forces; for orientations angular momenta \[kg m²/s] and torques \[N m].
     #[inline]
     #[must_use]
     pub fn loads(&self, conjugate: [R; N]) -> ByName<R, N> {
@@ -87,7 +87,7 @@ impl<R: Real, const N: usize> BodyAxes<R, N> {
         self.changed_at(numbers, |_, rho, x| by(rho, x))
     }
 
-    /// The same with the place of the orientation.
+    /// The same with the index of the orientation.
     fn changed_at(&self, mut numbers: [R; N], by: impl Fn(usize, [R; 3], [R; 3]) -> [R; 3]) -> [R; N] {
         for &first in self.orientations {
             let new = by(first, triple(&self.state.q, first), triple(&numbers, first));

@@ -1,13 +1,13 @@
-//! How body axes move along a motion, for deviations from it.
+//! The motion of body axes, for deviations from a motion.
 
 use super::axes::{angular, columns};
 use crate::number::real::{Dual, Real};
 
 type Matrix<R> = [[R; 3]; 3];
 
-/// What small deviations x = (δρ, δρ′) from a motion gain by being written in axes that turn with the body:
-/// the two blocks D and E of T⁻¹ T′ = \[D 0; E D], where (δφ, δω) = T x are the turn and the change of the
-/// angular velocity in body axes,
+/// The terms that small deviations x = (δρ, δρ′) from a motion gain if they are written in axes that turn
+/// with the body: the two blocks D and E of T⁻¹ T′ = \[D 0; E D]. Here (δφ, δω) = T x are the turn and the
+/// change of the angular velocity in body axes,
 ///
 /// δφ = J⁻¹ δρ,  δω = J⁻¹ δρ′ + B δρ,  B = ∂(J⁻¹ρ′)/∂ρ,
 ///

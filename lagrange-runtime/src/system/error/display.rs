@@ -1,4 +1,4 @@
-//! What is said of each cause.
+//! The messages of causes.
 
 use core::fmt;
 
@@ -43,7 +43,7 @@ impl fmt::Display for Cause {
                  stay away from this configuration",
                 constraint = Part(*constraint, *name)
             ),
-            // What is said of it comes with the name, so that it is in no program that cannot need it.
+            // The message comes with the name, so that a program that cannot need it does not contain it.
             Self::Misread { function, .. } => {
                 ["`", function.name(), "` ", function.0[1]].iter().try_for_each(|part| out.write_str(part))
             }

@@ -1,10 +1,10 @@
-//! What errors speak of: functions of a description, and sizes.
+//! The parts of error messages: functions of a description, and sizes.
 
 use core::fmt;
 
 use crate::number::real::Ordered;
 
-/// The name of a function of a description, and what is to be said of it. Small, because errors are.
+/// The name of a function of a description, and the message about it. Small, because errors are.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Function(#[doc(hidden)] pub &'static [&'static str; 2]);
 

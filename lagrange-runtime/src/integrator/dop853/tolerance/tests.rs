@@ -1,4 +1,4 @@
-//! What becomes of a tolerance without an absolute part.
+//! Tolerances without an absolute part.
 
 use crate::integrator::Field;
 use crate::integrator::dop853::Dop853Memory;
@@ -73,7 +73,7 @@ fn an_absolute_tolerance_of_the_caller_is_kept() {
 
 #[test]
 fn roundings_alone_end_no_motion() {
-    // A weight on a spring whose force at rest is a residue of roundings.
+    // A weight on a spring whose force at rest is a rounding error.
     let spring = |_: f64, q: &[f64; 1], _: &[f64; 1]| [-(30.0 * (q[0] + 0.1) - 3.0)];
     for start in [0.0, 1e-17, 1e-16, 3e-16, 1e-15] {
         let (state, attempts) = moved(spring, ([start], [0.0]), to(1e-10), 10.0).unwrap();

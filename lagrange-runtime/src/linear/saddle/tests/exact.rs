@@ -76,7 +76,7 @@ fn a_motion_without_inertia_is_named() {
         assert!(matches!(defect, Some(Defect::Singular { coordinate: 1 | 2 })), "{defect:?}");
         assert_eq!(factor(&mass, &[[0.0, 1.0, 0.0]]).defect(), None);
     }
-    // What has negative inertia is not positive definite, but regular.
+    // Negative inertia is not positive definite, but regular.
     let mass = [[1.0, 0.0], [0.0, -1.0]];
     assert_eq!(Saddle::factor(&mass, &[[1.0, 0.0]]).defect(), Some(Defect::Singular { coordinate: 1 }));
     assert_eq!(

@@ -1,4 +1,4 @@
-//! Chains, rings and nets of rods by lists of places, against the dense way and against twice as many digits.
+//! Chains, rings and nets of rods by sparse patterns, against the dense way and against twice as many digits.
 
 use std::boxed::Box;
 use std::vec::Vec;
@@ -138,7 +138,7 @@ fn check<const N: usize, const C: usize, const A: usize, const L: usize>(
         assert!(distance(&v, &exact_v) < distance(&w, &exact_v) + bound);
         if ours.careful.is_none() {
             settled += 1;
-            // One refinement leaves little more than the roundings of S itself.
+            // One refinement leaves little more than the rounding errors of S itself.
             let refined = ours.solve_order(1, y);
             let plain = ours.solve_order(REFINED + 1, y);
             let exact: [DoubleDouble; C] =

@@ -147,8 +147,8 @@ pub(super) fn sqrt(x: DoubleDouble) -> DoubleDouble {
     fast_two_sum(root, remainder / (root + root)).or(root)
 }
 
-/// Two of Newton's steps from a double root: one would leave the square of its error, which is what is asked
-/// for.
+/// Two steps of Newton's method from a double root. One would leave the square of its error, which is as
+/// large as the wanted precision.
 pub(super) fn cbrt(x: DoubleDouble) -> DoubleDouble {
     let (scale, back) = scales(x.high, 3);
     let scaled = x.scaled(scale);
@@ -175,8 +175,8 @@ pub(super) fn hypot(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
     sqrt(add(mul(a, a), mul(b, b))).scaled(back)
 }
 
-/// A power of two that brings a very large or small number to where products are exact, and what undoes it in
-/// a root of this `degree`.
+/// A power of two that brings a very large or small number to where products are exact, and the factor that
+/// undoes it in a root of this `degree`.
 fn scales(x: f64, degree: i32) -> (f64, f64) {
     const FAR: f64 = f64::from_bits((1023 + 300) << 52);
     let exponent = match x.abs() {

@@ -7,13 +7,13 @@ use super::DoubleDouble;
 use super::integer::Integer;
 use crate::number::real::Real;
 
-/// Digits that are read and written; what follows only rounds them.
+/// The number of digits that are read and written. Further digits only round them.
 const DIGITS: usize = 38;
 
 /// Digits that tell two numbers apart in nearly all cases.
 const SHOWN: usize = 32;
 
-/// Digits after the point that can be asked for.
+/// The most digits after the point that can be asked for.
 const MOST: i32 = 400;
 
 /// The longest text: 309 digits before the point.
@@ -42,7 +42,7 @@ impl FromStr for DoubleDouble {
             return Ok(Self::from(rough));
         }
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-        // Beyond this all is infinite or zero; more digits than that cannot make good for it.
+        // Beyond this every number is infinite or zero; no number of digits makes up for it.
         let clamped = |_| if exponent.starts_with('-') { -100_000 } else { 100_000 };
         let mut exponent = exponent.parse::<i32>().unwrap_or_else(clamped).clamp(-100_000, 100_000);
         let (mut value, mut count, mut inexact, mut after_point) = (0_u128, 0, false, false);
@@ -160,12 +160,12 @@ fn integer(x: DoubleDouble) -> (Integer, i32) {
 
 /// An integer times powers of two and ten, rounded down.
 fn scaled(integer: Integer, two: i32, ten: i32) -> u128 {
-    // What makes it larger comes first: a quotient of a quotient is that of the product, both rounded down.
+    // The larger factor comes first: a quotient of a quotient is that of the product, both rounded down.
     let larger = integer.times_power_of_two(two.max(0)).times_power_of_ten(ten.max(0));
     larger.times_power_of_ten(ten.min(0)).times_power_of_two(two.min(0)).value()
 }
 
-/// A buffer that text is written into; what does not fit is dropped.
+/// A buffer that text is written into; text that does not fit is dropped.
 struct Text {
     bytes: [u8; WIDEST],
     length: usize,
@@ -186,7 +186,7 @@ impl Text {
 }
 
 impl DoubleDouble {
-    /// Writes what has no digits; none for other numbers.
+    /// Writes a number without digits. `None` for other numbers.
     fn special(self, f: &mut fmt::Formatter<'_>) -> Option<fmt::Result> {
         (!self.high.is_finite()).then(|| fmt::Display::fmt(&self.high, f))
     }
@@ -199,8 +199,8 @@ impl DoubleDouble {
     }
 }
 
-/// 32 significant digits, or as many after the point as are asked for. Of those that are written, the 38th
-/// and all before it are right; what follows are zeros.
+/// 32 significant digits, or as many after the point as are asked for. Of the written digits the first 38 are
+/// right; zeros follow.
 impl fmt::Display for DoubleDouble {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(done) = self.special(f) {

@@ -50,7 +50,7 @@ fn quotients_roots_and_sums_of_products() {
     }
 }
 
-/// As `f64` does: neither NaN where a limit is, nor numbers where none are.
+/// As in `f64`: no NaN where there is a limit, and no numbers where there is none.
 #[test]
 fn infinities_and_nan_behave_as_those_of_doubles() {
     let [inf, one, zero, large] = [f64::INFINITY, 1.0, 0.0, 1e300].map(DoubleDouble::from);
@@ -129,7 +129,7 @@ fn decimals_are_read_and_written_exactly() {
     }
 }
 
-/// What step size control asks of a scalar.
+/// The order that step size control needs.
 #[test]
 fn it_is_ordered() {
     fn ordered<R: Ordered>(low: R, high: R) -> bool {
