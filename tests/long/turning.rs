@@ -1,5 +1,5 @@
 //! Orientations over a million steps: the energy and the angular momentum of bodies that tumble through all
-//! attitudes wander as roundings add up, and do not drift. Slow: `scripts/check.sh long`.
+//! attitudes wander as rounding errors add up, and do not drift. Slow: `scripts/check.sh long`.
 
 use lagrangian::prelude::*;
 

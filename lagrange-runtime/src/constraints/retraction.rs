@@ -300,7 +300,7 @@ where
     }
 
     /// The change of the velocities where the coordinates move by what a rounding of each constraint function
-    /// makes of them. The signs of the roundings are those to which the multipliers respond, as in an
+    /// makes of them. The signs of the rounding errors are those to which the multipliers respond, as in an
     /// estimate of a condition number (Higham, "Accuracy and Stability of Numerical Algorithms", ch. 15).
     #[cold]
     #[inline(never)]

@@ -7,8 +7,9 @@
 //! proved that there is none (`landing/energy.rs`). All are held against the tolerance.
 //!
 //! A step does not end where the constraints do not determine the state well, beside a configuration in which
-//! they depend on each other: there, roundings of the constraints are large changes of the state. What was
-//! determined in the motion so far is the measure, so constraints that are redundant everywhere do no harm.
+//! they depend on each other: there, rounding errors of the constraints are large changes of the state. What
+//! was determined in the motion so far is the measure, so constraints that are redundant everywhere do no
+//! harm.
 
 pub(crate) mod energy;
 
@@ -246,13 +247,13 @@ where
         Sizes { of: [larger(size, speed * span), speed], absolute: footing.metric.extent(&[absolute; N]) }
     }
 
-    /// Whether the polynomial obeys the equations within the tolerance and the roundings of its
+    /// Whether the polynomial obeys the equations within the tolerance and the rounding errors of its
     /// accelerations.
     fn obeys(&self, defect: &Defect<S::Scalar, N>, landing: &Landing<S::Scalar, N>) -> bool {
         self.obeys_with(defect, landing, num_traits::Zero::zero())
     }
 
-    /// The same with other roundings.
+    /// The same with other rounding errors.
     fn obeys_with(
         &self,
         defect: &Defect<S::Scalar, N>,
@@ -288,9 +289,9 @@ where
     ///
     /// * Roundings of forces that keep a balance.
     /// * Errors across the constraints, beside a configuration in which these depend on each other: there,
-    ///   roundings of a state grow on the way, and a retraction takes them back. What it leaves is their
-    ///   square, times the curvature of the constraints, which is the reciprocal of the distance from that
-    ///   configuration.
+    ///   rounding errors of a state grow on the way, and a retraction takes them back. What it leaves is
+    ///   their square, times the curvature of the constraints, which is the reciprocal of the distance from
+    ///   that configuration.
     #[cold]
     #[inline(never)]
     fn is_excused(

@@ -3,9 +3,10 @@
 //! A [`Guard`] is a function of the state. [`Simulation::advance_to_event`] moves to its next zero,
 //! [`Simulation::events`] visits one after the other, and `advance_to_event_of` and `events_of` do the same
 //! with several guards at once. No zero is found by comparing the signs of samples: between the ends of a
-//! step the method has a polynomial of the motion, the guard along it is interpolated until only roundings
-//! are left, and the zeros of the interpolant are isolated (see the module `roots`). So two zeros within one
-//! step are two events, a guard that touches zero is seen, and no step is ever shortened for an event.
+//! step the method has a polynomial of the motion, the guard along it is interpolated until only rounding
+//! errors are left, and the zeros of the interpolant are isolated (see the module `roots`). So two zeros
+//! within one step are two events, a guard that touches zero is seen, and no step is ever shortened for an
+//! event.
 //!
 //! *What counts.* Zero means zero within the rounding errors of the guard: those of its value, of the state
 //! at which it is evaluated and of the time itself. A zero where a search begins is not reported, because the

@@ -1,8 +1,8 @@
 //! Zeros of a guard on one step: none missed, none found twice.
 //!
 //! A guard is a function of θ in \[0, 1], the part of a step that has passed. It is interpolated once by a
-//! [`Polynomial`] in the basis of Chebyshev, with the bound of its roundings, the *noise*. What is decided is
-//! decided on this polynomial:
+//! [`Polynomial`] in the basis of Chebyshev, with the bound of its rounding errors, the *noise*. All
+//! decisions are made on this polynomial:
 //!
 //! * A point is *certain* where the guard exceeds the noise; its side is then [`Side::Above`] or
 //!   [`Side::Below`]. A *zero* is a connected set of points that are not certain. If it has different sides

@@ -200,7 +200,7 @@ fn single_precision_steps_keep_what_rounding_takes() {
         motion.step(1e-4, &[2.0]).unwrap();
     }
     let exact = exact(&CART_POLE, 1.0);
-    // Plain sums would lose ten thousand roundings, a few times 1e-4.
+    // Plain sums would lose ten thousand rounding errors, a few times 1e-4.
     all_close(motion.state().q.map(f64::from), exact.q, 3e-6);
     all_close(motion.state().v.map(f64::from), exact.v, 3e-6);
 }

@@ -46,7 +46,7 @@ pub struct Group {
 
 /// Points of the space of coordinates and parameters, at which motions are compared.
 pub const POINTS: u32 = 2;
-/// What differs by more, relative to the size of what it was made of, differs by more than roundings.
+/// Numbers that differ by more, relative to the size of their terms, differ by more than rounding errors.
 pub const ROUNDINGS: f64 = 1024.0 * f64::EPSILON;
 
 /// Everything that has mass, with its motion; `None` where a motion is no rigid one, or is given by time.

@@ -75,7 +75,7 @@ fn is_weight(
             for part in parts.as_chunks::<13>().0 {
                 let (mass, matrix, velocity) = (part[0], &part[1..10], &part[10..]);
                 for (i, fall) in fall.iter().enumerate() {
-                    // A level motion is a difference here, which may be all roundings.
+                    // A level motion is a difference here, which may be all rounding errors.
                     let along = [0, 1, 2].map(|k| mass * fall * matrix[3 * i + k] * velocity[k]);
                     power += along.iter().sum::<f64>();
                     size += along.iter().map(|part| part.abs()).sum::<f64>();

@@ -12,9 +12,9 @@ use super::{largest, rounding};
 /// components of its `members` are not zero in the start: what does not act on them has no part in the
 /// vector, not even a rounding, which the scales of a soft part might make large.
 ///
-/// The shift is the eigenvalue itself, and pivots below the roundings of its scale are put there: no other
-/// shift will do for a defective eigenvalue, whose pivot is the square of a distance from it and so rounds to
-/// zero (Wilkinson, *The Algebraic Eigenvalue Problem*, chapter 9).
+/// The shift is the eigenvalue itself, and pivots below the rounding errors of its scale are put there: no
+/// other shift will do for a defective eigenvalue, whose pivot is the square of a distance from it and so
+/// rounds to zero (Wilkinson, *The Algebraic Eigenvalue Problem*, chapter 9).
 pub(super) fn eigenvector(
     matrix: &DMatrix<f64>,
     eigenvalue: Complex<f64>,

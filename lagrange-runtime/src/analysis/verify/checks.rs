@@ -26,8 +26,8 @@ impl Judge {
     ) -> Result<(), Violation> {
         let off = (found - expected).abs();
         let allowed = R::epsilon().sqrt() * R::from_f64(2.0) * scale + R::from_f64(8.0) * uncertainty;
-        // Outside the domain there is nothing to compare, nor among the smallest numbers, whose roundings are
-        // no share of them.
+        // Outside the domain there is nothing to compare, nor among the smallest numbers, whose rounding
+        // errors are no share of them.
         let is_smallest = scale.is_positive() && !(scale * R::epsilon()).is_positive();
         if !off.is_finite() || !allowed.is_finite() || is_smallest {
             return Ok(());

@@ -12,8 +12,8 @@ const BEYOND: f64 = 1e3;
 /// it is uncertain.
 ///
 /// `scale` is a change of x in which f may change by its own size, at most. Steps grow from half the digits
-/// of it: at first roundings are divided by less and less, then f is no longer its own tangent, at a step
-/// that is not known. The best of them is where consecutive ones agree, and the search ends where they
+/// of it: at first rounding errors are divided by less and less, then f is no longer its own tangent, at a
+/// step that is not known. The best of them is where consecutive ones agree, and the search ends where they
 /// disagree again: further away a function may be flat.
 pub fn derivative<R: Real>(f: impl Fn(R) -> R, scale: R) -> (R, R) {
     let number = R::from_f64;
@@ -30,7 +30,7 @@ pub fn derivative<R: Real>(f: impl Fn(R) -> R, scale: R) -> (R, R) {
         let (next, size) = quotient(&f, h);
         let difference = (next - last).abs();
         let rounding = size * R::epsilon();
-        // Two roundings may agree by chance; hardly twice in a row.
+        // Two rounding errors may agree by chance; hardly twice in a row.
         let doubt = before.map(|before| difference + before / number(GROWTH) + rounding / h);
         (last, before) = (next, Some(difference));
         let Some(doubt) = doubt.filter(|doubt| doubt.is_finite()) else { continue };
@@ -46,8 +46,8 @@ pub fn derivative<R: Real>(f: impl Fn(R) -> R, scale: R) -> (R, R) {
     best.unwrap_or((last, R::one() / R::zero()))
 }
 
-/// The difference, and the size of what it subtracts: beside a place at which f vanishes, roundings are those
-/// of the values beside.
+/// The difference, and the size of what it subtracts: beside a place at which f vanishes, rounding errors are
+/// those of the values beside.
 fn quotient<R: Real>(f: &impl Fn(R) -> R, h: R) -> (R, R) {
     let [before, after] = [f(-h), f(h)];
     let (near, far) = (after - before, f(h + h) - f(-h - h));

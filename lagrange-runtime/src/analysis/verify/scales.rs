@@ -23,8 +23,8 @@ pub(super) struct Scales<R, const N: usize> {
 impl<R: Real, const N: usize> Scales<R, N> {
     /// The scales of a motion with these accelerations.
     pub fn of(mass: &[[R; N]; N], state: &State<R, N>, a: &[R; N]) -> Self {
-        // Steps are shares of a scale down to its roundings, and energies squares of them, which must be
-        // numbers.
+        // Steps are shares of a scale down to its rounding errors, and energies squares of them, which must
+        // be numbers.
         let is_scale = |x: &R| x.is_finite() && (*x * R::epsilon() * (*x * R::epsilon())).is_positive();
         let first = |candidates: [R; 2]| candidates.into_iter().find(is_scale).unwrap_or(R::one());
         let places = core::array::from_fn(|i| {
@@ -93,7 +93,7 @@ mod tests {
         // At rest at the origin nothing has a scale.
         let still = Scales::of(&mass, &State::new([0.0; 2], [0.0; 2]), &[0.0; 2]);
         assert_eq!((still.time, still.places), (1.0, [1.0; 2]));
-        // What has no roundings is no scale.
+        // Numbers so small that they have no rounding errors are no scale.
         let tiny = Scales::of(&mass, &State::new([5e-324, 3e-310], [0.0; 2]), &[1e-320; 2]);
         assert_eq!((tiny.time, tiny.places), (1.0, [1.0; 2]));
         let terms = Scales::of(&mass, &state, &[1e14, 0.0])

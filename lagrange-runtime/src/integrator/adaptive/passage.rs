@@ -1,9 +1,9 @@
 //! A step that the system's own method takes where this one cannot.
 //!
 //! A Runge–Kutta step evaluates accelerations at stages inside it and beside the constraints. Close to a
-//! configuration in which constraints depend on each other both make errors that no length removes: roundings
-//! grow with the reciprocal of the distance, and so does what a stage is off the constraints. Series evaluate
-//! at one end of a step alone. So where a smooth system has inputs that do not change within a step,
+//! configuration in which constraints depend on each other both make errors that no length removes: rounding
+//! errors grow with the reciprocal of the distance, and so does what a stage is off the constraints. Series
+//! evaluate at one end of a step alone. So where a smooth system has inputs that do not change within a step,
 //! such a step is one of its series.
 
 use super::super::dop853::Dop853Memory;

@@ -4,8 +4,8 @@
 //! them to ε/d, and the terms of its series are those of the motion and (ε/d)(h/d)ᵏ. A step that begins close
 //! to such a configuration and leads away ends at a larger distance, so the series about its end has far
 //! smaller errors. The end is found by shooting: the state on the constraints whose series leads back to the
-//! start, along the constraints. What roundings have made of the start across them does not matter, and its
-//! velocity decides along which of the motions that meet there it goes on.
+//! start, along the constraints. What rounding errors have made of the start across them does not matter, and
+//! its velocity decides along which of the motions that meet there it goes on.
 
 use super::super::landing::NOISE;
 use super::{JetMemory, falls};

@@ -87,8 +87,9 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
                     let speed = self.start.v[i].part(part).abs().max(v[i].part(part).abs());
                     pair(i).iter().fold(speed, |size, &x| size.max((x * span).abs()))
                 };
-                // A derivative is a sum over its whole column, whose roundings it has however small it is
-                // itself: those of velocities, and those of coordinates, which a step takes for velocities.
+                // A derivative is a sum over its whole column, whose rounding errors it has however small it
+                // is itself: those of velocities, and those of coordinates, which a step takes for
+                // velocities.
                 let whole = |most: S::Scalar, i: usize| {
                     most.max(size(i)).max((self.start.q[i].part(part) / span).abs())
                 };

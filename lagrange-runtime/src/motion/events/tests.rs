@@ -204,7 +204,7 @@ fn several_guards_in_the_order_of_time() {
     let guards: [fn(&State<f64, 1>) -> f64; 3] = [velocity, position, |state| state.q[0] * state.v[0]];
     let events: Vec<_> = motion.events_of(guards, 10.0).map(Result::unwrap).collect();
     let found: Vec<_> = events.iter().map(|event| event.index).collect();
-    // The product is zero wherever one of the others is, at the same time but for roundings.
+    // The product is zero wherever one of the others is, at the same time but for rounding errors.
     assert_eq!(found.len(), 12);
     for (k, pair) in events.chunks(2).enumerate() {
         let quarter = FRAC_PI_2 * (k + 1) as f64;

@@ -148,7 +148,7 @@ fn most<R: Ordered>(values: &[R]) -> R {
 
 impl<R: Ordered> Polynomial<R> {
     /// Interpolates `g` on \[0, 1]. `size` is the sum of the magnitudes that a value of `g` is made of, at
-    /// its largest: what the roundings of `g` are relative to, where that is more than `g` itself.
+    /// its largest: what the rounding errors of `g` are relative to, where that is more than `g` itself.
     pub(crate) fn interpolate(size: R, mut g: impl FnMut(R) -> R) -> Result<Self, Unresolved> {
         let mut samples = [R::zero(); DEGREE + 1];
         let mut scale = size.abs();
