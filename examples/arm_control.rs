@@ -16,7 +16,7 @@ use regulator::{RATE, Regulator, SAMPLES, cost, design};
 /// The length of a sample \[s].
 const STEP: f64 = 1.0 / RATE as f64;
 
-/// What sets the torques.
+/// The law that sets the torques.
 #[derive(Clone, Copy)]
 enum Control<'a> {
     ComputedTorque,

@@ -122,7 +122,7 @@ impl One for Cordic {
     }
 }
 
-/// What a scalar must have; everything else has defaults. The functions that the pendulum does not call are
+/// The functions that a scalar must have; all others have defaults. Those that the pendulum does not call are
 /// those of `f32`.
 impl Real for Cordic {
     type Lane = Self;

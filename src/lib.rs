@@ -115,7 +115,7 @@ pub use lagrange_macros::lagrangian_facade as lagrangian;
 pub use lagrange_pictures as pictures;
 pub use lagrange_runtime::*;
 
-/// What generated code names. No part of the public interface.
+/// Items that generated code names. They are no part of the public interface.
 #[doc(hidden)]
 pub use lagrange_runtime::__private;
 

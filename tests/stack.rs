@@ -7,8 +7,8 @@ use std::thread;
 
 use lagrangian::{Stability, prelude::*};
 
-/// What a new thread has. Without optimisation the factors of the saddle-point system are copied from frame
-/// to frame.
+/// The stack of a new thread. Without optimisation the factors of the saddle-point system are copied from
+/// frame to frame.
 const STACK: usize = if cfg!(debug_assertions) { 3 << 20 } else { 2 << 20 };
 
 /// Points on a chain of fifty rods.

@@ -94,7 +94,7 @@ fn compare(found: BTreeMap<String, String>) {
     assert!(wrong.is_empty(), "{} of {} cases\n{}", wrong.len(), found.len(), wrong.join("\n"));
 }
 
-/// What it says, each message with the name of the case that it is about.
+/// The compiler's messages about a file, each with the name of the case that it is about.
 fn messages_about(source: &Path, kind: &str) -> Vec<(String, String)> {
     let place = format!("{}/", cases::directory());
     let mut messages = Vec::new();

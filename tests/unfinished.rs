@@ -1,5 +1,5 @@
-//! What the compiler says while a description is being written: a token is missing or too many, and whatever
-//! is wrong is reported in the description, never where a program uses its system.
+//! The compiler's messages while a description is being written: a token is missing or too many, and every
+//! error stands in the description, never where a program uses its system.
 //!
 //! `CASES=1000 cargo test --test unfinished -- --nocapture` tries more and prints counts.
 

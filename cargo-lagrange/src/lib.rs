@@ -1,5 +1,5 @@
-//! What the command `cargo lagrange` does, as a library: models of a package as the macro sees them, and
-//! robots from files as descriptions for `#[lagrangian]`.
+//! The command `cargo lagrange` as a library: models of a package as the macro sees them, and robots from
+//! files as descriptions for `#[lagrangian]`.
 #![forbid(unsafe_code)]
 
 pub mod import;

@@ -53,8 +53,7 @@ fn equations_are_text_latex_mathml_and_json() {
     assert_eq!(values[0]["latex"], latex.trim_end());
     let mathml = printed(&["equations", "--mathml", "--file", TEMPLATE]);
     assert_eq!(values[0]["mathml"], mathml.trim_end());
-    // What a screen reader says follows from the elements; products and functions have signs that are not
-    // seen.
+    // The elements decide what a screen reader says. Products and functions have signs that are not seen.
     assert_eq!(
         row_of(&mathml),
         "mass⋅length^2⋅(θ over ¨)+mass⋅length⋅gravity⋅sin\u{2061}θ=−damping⋅(θ over ˙)"

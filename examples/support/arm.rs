@@ -6,7 +6,7 @@ use lagrangian::prelude::*;
 /// An arm with the kinematics of a UR5, on a table.
 #[derive(Clone, Copy, Debug)]
 pub struct Arm<R> {
-    /// What the hand carries \[kg].
+    /// The mass in the hand \[kg].
     pub payload: R,
 }
 
@@ -161,7 +161,7 @@ pub fn needed<R: Real>(arm: &Arm<R>, t: R, h: R) -> Result<[R; 6], MotionError<R
     Ok(arm.inverse_dynamics(&middle.state, &middle.a)?.total)
 }
 
-/// What a regulator sets for a sample: u = u* − K (x − x*).
+/// The torques of a regulator for a sample: u = u* − K (x − x*).
 pub fn regulated<R: Real>(
     arm: &Arm<R>,
     state: &State<R, 6>,

@@ -1,4 +1,4 @@
-//! What the examples of many motions share: their options and their pictures.
+//! The options and the pictures of the examples of many motions.
 #![allow(dead_code)]
 
 use std::error::Error;

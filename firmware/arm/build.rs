@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rerun-if-changed=../../examples/support/{file}.rs");
     }
     let regulator = regulator::design(&arm::Arm { payload: 0.0 })?;
-    // Of each group of samples the gains in its middle.
+    // The gains in the middle of each group of samples.
     let kept: Vec<_> = regulator.gains.chunks(HELD).map(|group| group[group.len() / 2]).collect();
     let mut text = format!("/// Samples for which the gains stay.\npub const HELD: u32 = {HELD};\n\n");
     writeln!(

@@ -16,7 +16,7 @@ use lagrangian::{MotionError, State, System};
 /// A number that a slider sets.
 #[derive(Clone, Copy, Debug)]
 pub struct Slider {
-    /// What it is called on the page, and in its address.
+    /// The name on the page, and in its address.
     pub name: &'static str,
     /// Its unit.
     pub unit: &'static str,
@@ -36,11 +36,11 @@ impl Slider {
 /// A place in the plane of the picture \[m].
 pub type Point = [f64; 2];
 
-/// What a page shows of a system with `N` coordinates.
+/// The part of a page that belongs to a system with `N` coordinates.
 pub trait Model<const N: usize>: Sized + 'static {
     /// The parameters.
     const PARAMETERS: &'static [Slider];
-    /// What sets the state, beside dragging.
+    /// The numbers that set the state, beside dragging.
     const SETTINGS: &'static [Slider];
     /// Names and units of the reactions.
     const REACTIONS: &'static [&'static str] = &[];
@@ -55,7 +55,7 @@ pub trait Model<const N: usize>: Sized + 'static {
     /// The state with these settings, in the order of `SETTINGS`; `None` where the settings allow no state.
     fn placed(&self, settings: &[f64]) -> Option<State<f64, N>>;
 
-    /// What the settings are in a state.
+    /// The values of the settings in a state.
     fn settings(&self, state: &State<f64, N>) -> Vec<f64>;
 
     /// The state at time `t`.

@@ -5,7 +5,7 @@ use lagrangian::State;
 use crate::scene::Scene;
 use crate::{Model, Point};
 
-/// What a module of WebAssembly keeps.
+/// The memory of a module of WebAssembly.
 #[derive(Debug)]
 pub struct Page<M, const N: usize> {
     parameters: Vec<f64>,

@@ -15,7 +15,7 @@ use proc_macro2::TokenStream;
 /// A line of counts after so many descriptions: of a run that ends early it tells how far it came.
 const REPORTED: u64 = 50_000;
 
-/// What the macro says of a panic of its own.
+/// The macro's words about a panic of its own.
 const UNEXPLAINED: &str = "without knowing why";
 
 fn main() {

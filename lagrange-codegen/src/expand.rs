@@ -33,7 +33,8 @@ pub fn expand_with_formulas(args: TokenStream, item: TokenStream, default_crate:
 
 fn expansion(args: TokenStream, item: TokenStream, default_crate: &str, formulas: bool) -> TokenStream {
     let mut diagnostics = Diagnostics::new();
-    // What is nested too deep must not reach code that recurses into expressions, not even to recover.
+    // Tokens that are nested too deep must not reach code that recurses into expressions, not even to
+    // recover.
     if let Some(span) = [&args, &item].into_iter().find_map(|tokens| syntax::too_deep(tokens.clone())) {
         diagnostics.error(span, catalogue::too_deep(syntax::DEEPEST));
         return diagnostics.to_tokens();

@@ -12,16 +12,16 @@ pub enum Error {
     Panicked {
         /// Index of the motion.
         index: u64,
-        /// What the panic said.
+        /// The message of the panic.
         message: String,
     },
     /// A file or folder could not be read or written: a full disk, missing permission.
     Io {
-        /// What was to be done.
+        /// The action that failed.
         doing: &'static str,
         /// The file or folder.
         path: PathBuf,
-        /// What the operating system says.
+        /// The error of the operating system.
         source: io::Error,
     },
     /// The folder holds parts of another study of this name.
@@ -30,9 +30,9 @@ pub enum Error {
         path: PathBuf,
         /// In what it differs.
         what: &'static str,
-        /// What the study in the folder has.
+        /// The value in the folder's study.
         found: String,
-        /// What this study has.
+        /// The value in this study.
         expected: String,
     },
     /// The file was written by another version.
@@ -48,7 +48,7 @@ pub enum Error {
     Damaged {
         /// The file.
         path: PathBuf,
-        /// What is wrong.
+        /// The damage.
         why: &'static str,
     },
     /// A motion that was computed again has another result than its part: the function of the index has
@@ -81,7 +81,7 @@ pub enum Error {
     },
     /// The motions of this system cannot be kept apart in the lanes of a vector.
     NotInLanes {
-        /// What the system has.
+        /// The property of the system that prevents it.
         why: &'static str,
     },
     /// The product of a shape is not the number of motions.

@@ -10,7 +10,7 @@ use crate::record::Column;
 /// The version of the layout of manifests and parts.
 const FORMAT: u32 = 1;
 
-/// What parts of one table have in common.
+/// The common facts of the parts of one table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Fingerprint {
     format: u32,

@@ -123,7 +123,7 @@ struct Job<L, const N: usize> {
     parameters: Vec<L>,
     start: State<L, N>,
     end: L,
-    /// What stands in its record so far.
+    /// The states of its record so far.
     states: Vec<State<L, N>>,
 }
 

@@ -19,7 +19,7 @@ const END: &[u8; 8] = b"lagrange";
 /// Length of the text, checksum, end.
 const TAIL: usize = 8 + 4 + END.len();
 
-/// What stands behind the array.
+/// The text behind the array.
 #[derive(Serialize, Deserialize)]
 struct Behind {
     study: Fingerprint,

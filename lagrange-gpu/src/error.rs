@@ -40,7 +40,7 @@ pub enum Error {
     },
     /// The driver or the processor is too old.
     WrongVersion {
-        /// What is needed.
+        /// The version that is needed.
         needed: String,
     },
     /// There is no kernel of this name among those that are loaded.

@@ -16,7 +16,7 @@ pub enum PictureError {
     Empty,
     /// A number to be drawn is NaN or infinite.
     NotFinite {
-        /// What the number belongs to.
+        /// The thing that the number belongs to.
         what: &'static str,
         /// When, or for which value on the horizontal axis.
         at: f64,
@@ -42,7 +42,7 @@ pub enum PictureError {
     Io {
         /// The file.
         path: PathBuf,
-        /// What the operating system says.
+        /// The error of the operating system.
         source: io::Error,
     },
     /// The plotting library refused.

@@ -104,8 +104,8 @@ impl Joints {
     }
 }
 
-/// What a run leaves: relative errors of the energy, root of the mean square block by block, and the largest
-/// of all |f| and |w| relative to lengths and speeds.
+/// The figures of a run: relative errors of the energy, root of the mean square block by block, and the
+/// largest of all |f| and |w| relative to lengths and speeds.
 struct Figures {
     energies: Vec<f64>,
     position: f64,

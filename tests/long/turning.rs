@@ -37,7 +37,7 @@ impl Heavy {
 /// 250 times as far.
 const WALK: f64 = 4.0 * f64::EPSILON * 1000.0;
 
-/// What a system keeps, of a state.
+/// The quantities of a state that a system keeps.
 type Kept<S> = fn(&S, &State<f64, 3>) -> Vec<f64>;
 
 /// The largest change of what a system keeps, relative to the size of the first, over a run.

@@ -79,7 +79,7 @@ struct Record {
 /// Which derivatives are wanted, and how often all subjects take turns.
 #[derive(Clone, Copy)]
 pub struct Extent {
-    /// Those of large robots too, which take the compiler minutes.
+    /// Builds the derivatives of large robots too, which takes minutes.
     pub full: bool,
     /// Repeats less.
     pub quick: bool,

@@ -73,7 +73,7 @@ impl Order {
         Self { places: (0..robot.coordinates.len()).collect() }
     }
 
-    /// That of a description, whose names are those of the file as identifiers.
+    /// The order of a description, whose names are those of the file as identifiers.
     pub fn of(robot: &Robot, names: &[String]) -> Result<Self, Box<dyn Error>> {
         let places: Result<Vec<usize>, String> = names
             .iter()

@@ -15,7 +15,7 @@ pub type Row = (&'static str, Box<dyn Fn() -> Vec<Cell>>);
 
 /// Tolerances of doubles: the default one, and the finest.
 const DOUBLE: [f64; 2] = [1e-10, 1e-14];
-/// Those of single precision: the default is 100 ε.
+/// Tolerances of single precision: the default one is 100 ε.
 const SINGLE: [f64; 2] = [1.2e-5, 1e-6];
 
 /// All rows in the order of the tables.

@@ -128,7 +128,7 @@ impl<const N: usize> ByHand<N> for Recursive {
     fn accelerations<R: Number>(_t: f64, q: &[R; N], v: &[R; N], a: &mut [R; N]) {
         let zero = R::default();
         let (mut s, mut c) = ([zero; N], [zero; N]);
-        // Of rod i + 1 seen from rod i: cosine and sine; one over 1 + α s².
+        // Cosine and sine of rod i + 1 seen from rod i, and one over 1 + α s².
         let (mut cosine, mut sine, mut inverse) = ([zero; N], [zero; N], [zero; N]);
         let (mut alpha, mut gamma, mut tension) = ([zero; N], [zero; N], [zero; N]);
         for i in 0..N {

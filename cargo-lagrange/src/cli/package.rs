@@ -73,7 +73,7 @@ fn read(root: &Path) -> Result<Vec<Model>, String> {
     models(root).map_err(|unread| format!("error: {unread}"))
 }
 
-/// What cargo says of a workspace.
+/// Cargo's description of a workspace.
 pub fn metadata(manifest: Option<&Path>) -> Result<Metadata, String> {
     let mut command = MetadataCommand::new();
     if let Some(path) = manifest {

@@ -71,7 +71,7 @@ impl Inertial {
     }
 }
 
-/// What is wrong with a tensor of inertia.
+/// A flaw of a tensor of inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Flaw {
     /// A principal moment is negative: this one.

@@ -1,4 +1,4 @@
-//! What both formats read alike: angles, masses, names that are nearly right.
+//! Reading that both formats share: angles, masses, names that are nearly right.
 
 use roxmltree::Node;
 

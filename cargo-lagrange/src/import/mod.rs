@@ -24,7 +24,7 @@ pub use report::{Problem, Report};
 use robot::Robot;
 use xml::Reader;
 
-/// What to make of a file.
+/// The choices for a description.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// The name of the struct; that of the file without one.
@@ -39,7 +39,7 @@ pub struct Options {
     pub limits: bool,
     /// Dry friction as `#[friction]`.
     pub friction: bool,
-    /// What to do with joints that follow others.
+    /// The treatment of joints that follow others.
     pub mimic: Following,
     /// Numbers that become fields.
     pub parameters: Parameters,
@@ -80,7 +80,7 @@ pub enum Inputs {
     None,
 }
 
-/// What to do with joints that follow others.
+/// The treatment of joints that follow others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Following {
     /// They have no coordinate of their own.
@@ -104,12 +104,12 @@ pub struct Parameters {
     pub lengths: bool,
 }
 
-/// What became of a file.
+/// The result of an import.
 #[derive(Clone, Debug)]
 pub struct Import {
     /// The description.
     pub text: String,
-    /// What a user should know, a line each.
+    /// Notes for the user, a line each.
     pub notes: Vec<String>,
 }
 

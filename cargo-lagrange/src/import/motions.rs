@@ -11,11 +11,11 @@ use super::{Following, Options};
 pub struct Coordinate {
     /// The identifier.
     pub name: String,
-    /// What it is.
+    /// The kind of the coordinate.
     pub shape: Shape,
 }
 
-/// What a declared coordinate is.
+/// The kind of a declared coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// A number.

@@ -21,21 +21,21 @@ pub struct Plan {
     pub title: String,
     /// The robot.
     pub robot: Robot,
-    /// How it hangs together.
+    /// The tree of the links.
     pub tree: Tree,
     /// Declared coordinates in order.
     pub coordinates: Vec<Coordinate>,
-    /// What moves each joint.
+    /// The motion of each joint.
     pub motions: Vec<Motion>,
     /// Inputs in order: name, joint, gear.
     pub inputs: Vec<(String, usize, f64)>,
-    /// What each link is called, and what it hangs on.
+    /// The name of each link, and the link that carries it.
     pub frames: Vec<Frame>,
     /// Moving masses.
     pub bodies: Vec<Body>,
     /// Whether gravity does work.
     pub is_heavy: bool,
-    /// What the description leaves out.
+    /// The elements that the description leaves out.
     pub left_out: Vec<String>,
 }
 

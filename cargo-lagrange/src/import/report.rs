@@ -1,4 +1,4 @@
-//! What an import has to say: mistakes in the file, each with its place, and notes on what was made of it.
+//! The messages of an import: mistakes in the file, each with its place, and notes on the description.
 
 use std::fmt;
 
@@ -13,7 +13,7 @@ pub struct Problem {
     pub column: u32,
     /// The element, as a start tag with its name.
     pub element: String,
-    /// What is wrong, and how to mend it.
+    /// The mistake, and how to mend it.
     pub text: String,
 }
 
@@ -42,9 +42,9 @@ impl std::error::Error for Report {}
 /// Collects problems and notes.
 #[derive(Debug, Default)]
 pub struct Sink {
-    /// What forbids a description.
+    /// Problems that forbid a description.
     pub problems: Vec<Problem>,
-    /// What a user should know of the description.
+    /// Notes for the user of the description.
     pub notes: Vec<String>,
 }
 

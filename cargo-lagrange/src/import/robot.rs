@@ -39,7 +39,7 @@ pub struct Doubtful {
     pub moment: f64,
 }
 
-/// What connects two links.
+/// A connection of two links.
 #[derive(Debug)]
 pub struct Joint {
     /// The name in the file.
@@ -54,9 +54,9 @@ pub struct Joint {
     pub pose: Pose,
     /// The origin of the child's frame, seen from the moved frame of the joint.
     pub back: Vector,
-    /// How it moves.
+    /// The kind of its motion.
     pub kind: Kind,
-    /// What acts in it; of joints with one coordinate.
+    /// The forces and inertias in it, for joints with one coordinate.
     pub action: Action,
     /// The joint that it follows.
     pub mimic: Option<Mimic>,
@@ -64,7 +64,7 @@ pub struct Joint {
     pub drives: Vec<Drive>,
 }
 
-/// How a joint moves.
+/// The kind of motion of a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// It does not.
@@ -81,7 +81,7 @@ pub enum Kind {
     Free,
 }
 
-/// What acts in a joint of one coordinate.
+/// The forces and inertias in a joint of one coordinate.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Action {
     /// Viscous damping [N·m·s/rad or N·s/m].

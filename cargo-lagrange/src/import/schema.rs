@@ -11,7 +11,7 @@ use roxmltree::Node;
 use super::links;
 use super::xml::Reader;
 
-/// What an element of a format may hold.
+/// The attributes and elements that an element of a format may hold.
 pub struct Element {
     /// The names of elements that hold this.
     tags: &'static [&'static str],

@@ -3,7 +3,7 @@
 use super::report::Sink;
 use super::robot::{Joint, Kind, Robot};
 
-/// How the links hang together.
+/// The tree of the links.
 #[derive(Debug)]
 pub struct Tree {
     /// The link that nothing moves.

@@ -12,7 +12,7 @@ pub struct Reader<'a> {
     pub file: &'a str,
     /// The document.
     pub document: &'a Document<'a>,
-    /// What was found.
+    /// The problems and notes so far.
     pub sink: Sink,
 }
 

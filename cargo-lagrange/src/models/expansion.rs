@@ -1,4 +1,4 @@
-//! What the engine makes of a model: its constants as values, its methods as text.
+//! The engine's expansion of a model: its constants as values, its methods as text.
 
 use syn::spanned::Spanned;
 use syn::visit::Visit;
@@ -13,7 +13,7 @@ pub struct Expansion {
     pub equations: String,
     /// The equations in LaTeX and MathML, if they were asked for.
     pub formulas: Option<Formulas>,
-    /// What was found and left out.
+    /// The properties found, and the work left out.
     pub structure: Structure,
     /// Operations of one evaluation of the accelerations.
     pub costs: Costs,
@@ -35,7 +35,7 @@ pub struct Structure {
     pub mass_matrix: String,
     /// Proven properties.
     pub facts: Vec<String>,
-    /// What the code leaves out.
+    /// The work that the code leaves out.
     pub skipped: Vec<String>,
 }
 

@@ -24,7 +24,7 @@ pub const EMPTY: Arm<f32> = Arm { payload: 0.0 };
 /// The length of a sample \[s].
 pub const STEP: f32 = 1.0 / RATE as f32;
 
-/// What sets the torques.
+/// The law that sets the torques.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Control {
     /// Computed torque.

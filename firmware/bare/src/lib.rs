@@ -1,4 +1,4 @@
-//! What the programs for bare metal share: text by semihosting, and a count of instructions.
+//! The common part of the programs for bare metal: text by semihosting, and a count of instructions.
 #![no_std]
 
 #[cfg(target_arch = "arm")]

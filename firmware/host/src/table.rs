@@ -36,7 +36,7 @@ struct Program<'a> {
     error: f64,
 }
 
-/// What was measured of all programs.
+/// The measurements of all programs.
 pub struct Measurements<'a>(Vec<Program<'a>>);
 
 fn lines(text: &str) -> Result<Vec<Line<'_>>, Box<dyn Error>> {

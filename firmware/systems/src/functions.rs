@@ -39,7 +39,7 @@ fn medium(x: f64) -> f64 {
     16.0 * x
 }
 
-/// Of either sign, from 1e-10 to 1e10 or so.
+/// Arguments of either sign, from 1e-10 to 1e10 or so.
 fn wide(x: f64) -> f64 {
     let square = x * x;
     x * square * square * square * square * square * 1e10 + x

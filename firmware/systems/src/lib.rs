@@ -41,9 +41,9 @@ pub trait Experiment<const K: usize>: System<2, K> {
     fn inputs(state: &State<Self::Scalar, 2>) -> [Self::Scalar; K];
 }
 
-/// What is done with every system and every fixed-step method that control loops use.
+/// An action on every system and every fixed-step method that control loops use.
 pub trait Visitor<R: Bits> {
-    /// What stops it.
+    /// The error that stops it.
     type Error;
 
     /// Does it with one of them.

@@ -1,4 +1,4 @@
-//! How large the terms are that a value is made of: the bound of a running error analysis (N. J. Higham,
+//! The sizes of the terms that a value is made of: the bound of a running error analysis (N. J. Higham,
 //! Accuracy and Stability of Numerical Algorithms, 2002, section 3.3), in units of rounding and to first
 //! order.
 

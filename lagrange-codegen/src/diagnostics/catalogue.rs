@@ -325,7 +325,7 @@ messages! {
     slice_out_of_range(length) = "this range does not lie within the array; it has {length}";
 }
 
-// What roles mean.
+// The meaning of roles.
 messages! {
     attribute_depends_on(name) = "`{name}` is not in sight here: what stands in an attribute is the same all \
         through a run; use fields of `self`, or where a mass varies write the energy as a `#[kinetic]` function";

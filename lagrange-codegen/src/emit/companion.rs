@@ -92,7 +92,7 @@ pub(super) fn companion(
     }
 }
 
-/// What `energy_at` calls.
+/// The energy that `energy_at` calls.
 fn energy(emission: &Emission<'_>) -> String {
     let equations = emission.equations;
     let nodes = if emission.model.lagrangian.is_empty() {

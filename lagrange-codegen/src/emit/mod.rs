@@ -52,7 +52,7 @@ pub(crate) use methods::METHODS;
 pub(crate) use oriented::METHOD as STATE_METHOD;
 pub(crate) use stubs::stubs;
 
-/// What emission reads. The graph grows while expressions are simplified.
+/// The input of emission. The graph grows while expressions are simplified.
 pub(crate) struct Emission<'a> {
     pub item: &'a Item,
     /// The scalar of the emitted code.

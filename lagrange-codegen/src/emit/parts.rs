@@ -1,11 +1,11 @@
-//! What a step computes for each block of the mass matrix, as lists of nodes (to plan), slots (to store) or
-//! texts (to print).
+//! The computations of a step for each block of the mass matrix, as lists of nodes (to plan), slots (to
+//! store) or texts (to print).
 
 use super::Emission;
 use crate::expr::NodeId;
 use crate::structure::{Block, Method};
 
-/// What a step computes for one block of the mass matrix.
+/// The computations of a step for one block of the mass matrix.
 #[derive(Clone, Debug)]
 pub(super) struct Part<T> {
     /// The coordinates of the block.

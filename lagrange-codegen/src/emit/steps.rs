@@ -8,7 +8,7 @@ use super::Emission;
 use crate::regimes::Regimes;
 use crate::syntax::{Item, Scalar};
 
-/// What the implementation consists of.
+/// The parts of the implementation.
 struct Steps {
     memory: TokenStream,
     begin: TokenStream,

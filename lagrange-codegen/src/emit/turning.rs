@@ -33,7 +33,7 @@ pub(super) fn series(emission: &Emission<'_>) -> String {
     }
 }
 
-/// What orientations add to the line about series in `STRUCTURE`.
+/// The words about orientations in the line about series in `STRUCTURE`.
 pub(super) fn described(emission: &Emission<'_>) -> &'static str {
     if emission.solved.turning.is_empty() { "" } else { ", and 16 convolutions for each orientation" }
 }

@@ -162,7 +162,7 @@ impl Graph {
         self.nodes.is_empty()
     }
 
-    /// What a node depends on.
+    /// The variables that a node depends on.
     pub fn dependence(&self, id: NodeId) -> Dependence {
         self.dependence[id.index()]
     }

@@ -16,7 +16,7 @@ use crate::expr::{Binary, Dependence, Exponent, Graph, Node, NodeId, Unary, Vari
 use crate::kinematics::turning_direction;
 use crate::number::Number;
 
-/// What changes during a step. Inputs are held constant.
+/// The variables that change during a step. Inputs are held constant.
 const MOVING: Dependence = Dependence::COORDINATES
     .union(Dependence::VELOCITIES)
     .union(Dependence::TIME)

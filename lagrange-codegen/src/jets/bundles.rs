@@ -36,7 +36,7 @@ struct Part {
     convolutions: Vec<usize>,
 }
 
-/// What isomorphic parts have in common: the number of factors, and the indices of the factors of each
+/// The common structure of isomorphic parts: the number of factors, and the indices of the factors of each
 /// product.
 #[derive(Clone, PartialEq, Eq)]
 struct Pattern {

@@ -231,7 +231,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// What must be smooth: the result of the role that is evaluated.
+    /// The thing that must be smooth: the result of the role that is evaluated.
     pub fn smooth_thing(&self) -> &'static str {
         let role = self.calls.first().and_then(|&index| self.item.functions[index].role.as_ref());
         match role.map(|role| &role.kind) {

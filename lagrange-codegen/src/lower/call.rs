@@ -8,7 +8,7 @@ use crate::diagnostics::{Origin, catalogue};
 use crate::syntax::body::{Block, Closure, Expr, ExprKind, Name, Owner, Path, Statement, Word};
 use crate::syntax::velocity::SUFFIX;
 
-/// What can be passed where a closure is expected.
+/// A function that can be passed where a closure is expected.
 #[derive(Clone, Copy)]
 pub enum Callable<'a> {
     /// `|x| …`.

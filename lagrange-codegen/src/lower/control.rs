@@ -174,7 +174,7 @@ impl<'a> Interpreter<'a> {
         self.elements(range, origin)
     }
 
-    /// What a loop or an iterator runs over.
+    /// The elements that a loop or an iterator runs over.
     pub fn elements(&mut self, value: Value, origin: Origin) -> Option<Rc<Vec<Value>>> {
         match value {
             Value::Array(elements) | Value::Iterator(elements) => Some(elements),

@@ -40,7 +40,7 @@ pub enum Flow {
     Return(Value),
 }
 
-/// How much may still be unrolled.
+/// The amount that may still be unrolled.
 #[derive(Debug)]
 enum Budget {
     Left(usize),
@@ -54,7 +54,7 @@ pub struct Interpreter<'a> {
     pub item: &'a Item,
     /// Where mistakes go.
     pub diagnostics: &'a mut Diagnostics,
-    /// What is being built.
+    /// The model that is being built.
     pub model: Model,
     /// Paths that start at `self`.
     pub parameters: Parameters,
@@ -81,7 +81,7 @@ pub struct Interpreter<'a> {
     pub lazy: Option<usize>,
     /// Closures in variables, with what they have in sight.
     pub closures: Vec<(&'a Closure, View)>,
-    /// What the emitted statements about the meaning of names cover so far.
+    /// The names whose meaning the emitted statements check so far.
     meant: Lookup<String, ()>,
     /// Whether an attribute argument such as a mass is evaluated.
     pub in_attribute: bool,

@@ -8,7 +8,7 @@ use crate::expr::NodeId;
 use crate::number::Number;
 use crate::syntax::body::{BinaryOperator, Expr, ExprKind, MethodCall, Word};
 
-/// What can be called on arrays and iterators.
+/// The methods of arrays and iterators.
 pub const METHODS: [&str; 21] = [
     "iter",
     "into_iter",

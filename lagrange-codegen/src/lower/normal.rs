@@ -9,7 +9,7 @@ use crate::model::{Constraint, ConstraintKind, Load, Model, Normal};
 use crate::syntax::body::{Expr, Name, Word};
 use crate::syntax::item::{self, Function, RoleKind};
 
-/// What limits a friction.
+/// The limit of a friction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limit {
     pub normal: Normal,

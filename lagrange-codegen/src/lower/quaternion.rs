@@ -11,7 +11,7 @@ use crate::model::{Rotation, RotationForm};
 use crate::number::Number;
 use crate::syntax::body::Word;
 
-/// What can be called on quaternions.
+/// The methods of quaternions.
 pub const METHODS: [&str; 10] = [
     "norm",
     "norm_squared",

@@ -74,7 +74,7 @@ impl<'a> Interpreter<'a> {
         (!value.is_unknown()).then_some(value)
     }
 
-    /// What a role function is called with.
+    /// The arguments that a role function is called with.
     pub fn role_arguments(&mut self, index: usize) -> Option<Vec<Value>> {
         let function: &'a Function = &self.item.functions[index];
         let mut arguments = Vec::with_capacity(function.parameters.len());

@@ -39,7 +39,7 @@ impl Rounded {
         Rounded { double: Some(value as f64), single: Some(value as f32) }
     }
 
-    /// What a conversion from a double gives.
+    /// The value after a conversion from a double.
     pub fn converted(self) -> Rounded {
         Rounded { double: self.double, single: self.double.map(|value| value as f32) }
     }

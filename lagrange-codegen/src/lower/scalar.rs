@@ -8,7 +8,7 @@ use crate::expr::{Dependence, NodeId, Unary};
 use crate::number::Number;
 use crate::syntax::body::Word;
 
-/// What can be called on a number.
+/// The methods of a number.
 pub const METHODS: [&str; 40] = [
     "sin",
     "cos",
@@ -210,7 +210,7 @@ impl Interpreter<'_> {
     }
 }
 
-/// What to write instead of a function that is not smooth.
+/// A smooth alternative to a function that is not smooth.
 pub fn alternative(name: &str) -> &'static str {
     match name {
         "is_nan" | "is_finite" | "total_cmp" => "the generated solver checks its numbers itself",

@@ -34,7 +34,7 @@ struct Entry {
     number: u64,
 }
 
-/// What a name stands for.
+/// The meaning of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     /// A variable.

@@ -1,7 +1,6 @@
-//! What an expression of the language can be while it is interpreted.
+//! The values of expressions of the language while they are interpreted.
 //!
-//! Compound values share their parts, so that handing an array of a hundred vectors around
-//! costs nothing.
+//! Compound values share their parts, so that handing an array of a hundred vectors around costs nothing.
 
 use std::rc::Rc;
 
@@ -160,7 +159,7 @@ impl Value {
             Value::Point(components) => format!("a Point{}", components.len()),
             Value::Matrix(matrix) => matrix_name(matrix.rows, matrix.columns),
             Value::Translation(components) => format!("a Translation{}", components.len()),
-            // Of a quaternion as of a matrix.
+            // A rotation by a quaternion has the same words as one by a matrix.
             Value::Rotation(Turn::Plane(_)) => "a rotation in the plane".into(),
             Value::Rotation(Turn::Space(_)) => "a rotation in space".into(),
             Value::Isometry(_, turn) => format!("an Isometry{}", turn.dimension()),
@@ -254,7 +253,7 @@ impl Value {
                 nodes(words, 8, self.nodes());
             }
             Value::Translation(_) => nodes(words, 9, self.nodes()),
-            // Of rotations with equal entries, any form serves as well.
+            // Rotations with equal entries count as one, in whatever form.
             Value::Rotation(_) => nodes(words, 10, self.nodes()),
             Value::Isometry(_, turn) => {
                 nodes(words, 11, self.nodes());

@@ -45,7 +45,7 @@ pub(super) struct Frames<'a> {
 }
 
 impl<'a> Frames<'a> {
-    /// Of places carried by levers, with the direction of total time derivatives.
+    /// The frames of places carried by levers, with the direction of total time derivatives.
     pub fn new(levers: &'a Levers, direction: &'a [(NodeId, NodeId)]) -> Self {
         Frames { levers, direction, spins: Lookup::default(), moves: Lookup::default() }
     }

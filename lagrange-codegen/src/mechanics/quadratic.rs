@@ -32,7 +32,7 @@ pub(crate) struct Quadratic {
 enum Part {
     /// Independent of them.
     Fixed,
-    /// Of first degree: its linear part, `None` for zero.
+    /// An expression of first degree: its linear part, `None` for zero.
     First(Option<(Unknown, NodeId)>),
     Second,
 }

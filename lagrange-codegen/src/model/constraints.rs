@@ -21,7 +21,7 @@ pub struct Constraint {
     pub origin: Origin,
 }
 
-/// What a constraint is a function of.
+/// The variables of a constraint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConstraintKind {
     /// f(q, t) = 0.
@@ -77,7 +77,7 @@ pub enum Law {
     },
 }
 
-/// What the coefficient of a friction multiplies.
+/// The force that the coefficient of a friction multiplies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Normal {
     /// The reaction of a row, among all constraints and then all contacts.

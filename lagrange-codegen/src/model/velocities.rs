@@ -17,15 +17,15 @@ pub struct Velocity {
 /// The rate of a value, in the value's own form.
 #[derive(Clone, Debug)]
 pub enum Rates {
-    /// Of a number.
+    /// The rate of a number.
     Scalar(NodeId),
-    /// Of a vector, a point, a translation or a matrix: rows, columns, and the entries row by row.
+    /// The rates of a vector, a point, a translation or a matrix: rows, columns, and the entries row by row.
     Matrix(usize, usize, Vec<NodeId>),
-    /// Of a pose.
+    /// The twist of a pose.
     Twist(Twist),
-    /// Of an array.
+    /// The rates of an array.
     Array(Vec<Rates>),
-    /// Of a tuple.
+    /// The rates of a tuple.
     Tuple(Vec<Rates>),
 }
 

@@ -82,7 +82,8 @@ pub(super) fn root(a: Parts) -> Parts {
     sum((rough, 0.0), (error.0 / (2.0 * rough), 0.0))
 }
 
-/// What a double lacks of a decimal, exactly: both are written out and subtracted digit by digit.
+/// The difference between a decimal and a double, exactly: both are written out and subtracted digit by
+/// digit.
 pub(super) fn rest_of_decimal(text: &str, value: f64) -> f64 {
     /// Digits before the point, and behind it: those of the smallest double.
     const WHOLE: usize = 320;

@@ -34,7 +34,7 @@ pub use solution::{By, Solver};
 use solution::{Start, inverses, valued};
 pub use tiles::{Pattern, Tile, Tiles};
 
-/// What kind of numbers an expansion is for.
+/// The kind of numbers that an expansion is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Numbers {
     /// The user's scalar.
@@ -84,20 +84,20 @@ pub struct Carried {
 /// The coefficients that go on to the next order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keeps {
-    /// Of a velocity.
+    /// The coefficient of a velocity.
     Velocity(usize),
-    /// Of a momentum's rate.
+    /// The coefficient of a momentum's rate.
     Force(usize),
-    /// Of a constraint's rate.
+    /// The coefficient of a constraint's rate.
     Relaxation(usize),
-    /// Of the rate of an auxiliary, by its slot in the recurrences.
+    /// The coefficient of the rate of an auxiliary, by its slot in the recurrences.
     Flow(Slot),
 }
 
 /// A factor of convolutions.
 #[derive(Clone, Copy, Debug)]
 pub struct Factor {
-    /// What it is.
+    /// The operand of the convolutions.
     pub operand: Operand,
     /// Its coefficient.
     pub coefficient: Slot,
@@ -134,18 +134,18 @@ impl Sums {
 pub struct Coefficient {
     /// Where it is.
     pub slot: Slot,
-    /// How much of it.
+    /// The part of that coefficient.
     pub part: Part,
     /// Whose it is.
     pub of: Slot,
 }
 
-/// How much of a coefficient.
+/// A part of a coefficient.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// What lower orders give.
+    /// The part from lower orders.
     Known,
-    /// What there is with the unknowns at zero.
+    /// The coefficient with the unknowns at zero.
     Partial,
     /// All.
     Whole,

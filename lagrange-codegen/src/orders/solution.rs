@@ -45,7 +45,7 @@ pub enum By {
     },
 }
 
-/// What an order takes of a block from the point of expansion.
+/// The start of an order from the values at the point of expansion.
 pub(super) enum Start {
     /// Nothing: the entry is one.
     Nothing,

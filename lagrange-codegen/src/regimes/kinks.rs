@@ -7,7 +7,7 @@ use crate::mechanics::Equations;
 use crate::model::{Action, Contact, Law, Model, orientation};
 use crate::number::Number;
 
-/// What changes during a step.
+/// The variables that change during a step.
 pub(super) const MOVING: Dependence = Dependence::COORDINATES
     .union(Dependence::VELOCITIES)
     .union(Dependence::TIME)

@@ -13,9 +13,9 @@ use crate::model::{Contact, Law};
 /// Coefficients or limits of friction of some rows; zero for rows without friction.
 #[derive(Debug)]
 pub struct Coefficients {
-    /// Of slipping friction.
+    /// The coefficients of slipping friction.
     pub kinetic: Vec<NodeId>,
-    /// Of sticking friction.
+    /// The coefficients of sticking friction.
     pub fixed: Vec<NodeId>,
 }
 

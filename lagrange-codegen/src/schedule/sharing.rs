@@ -1,4 +1,4 @@
-//! What the products of a program share: pairs of factors, and reciprocals.
+//! Parts that the products of a program share: pairs of factors, and reciprocals.
 
 use super::divisors::{Division, Divisor, Divisors};
 use super::pairs::{Item, share_pairs};

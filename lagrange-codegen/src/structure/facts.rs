@@ -45,7 +45,7 @@ impl Facts {
         let fixed = |root: NodeId| graph.dependence(root).is_fixed();
         let lossless = equations.conditions.losses.iter().all(|&loss| graph.is_zero(loss));
         let conservative = model.forces.is_empty() && model.dissipation.is_empty() && lossless;
-        // Of a Lagrangian given as a whole, the energies lack the terms linear in the velocities.
+        // In a Lagrangian given as a whole the energies lack the terms linear in the velocities.
         let lagrangian = [energies[0], energies[1], equations.whole];
         let appearing = appearing_coordinates(graph, &lagrangian, count);
         let conditions = &equations.conditions;

@@ -63,7 +63,7 @@ pub struct Args {
 pub struct Declaration {
     /// The name.
     pub ident: Ident,
-    /// What each element is.
+    /// The kind of each element.
     pub kind: Kind,
     /// The length of an array.
     pub length: Option<syn::Expr>,

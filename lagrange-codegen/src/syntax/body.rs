@@ -20,7 +20,7 @@ pub type Name = Rc<str>;
 pub struct Expr {
     /// Where it stands.
     pub origin: Origin,
-    /// What it is.
+    /// The kind of the expression.
     pub kind: ExprKind,
 }
 
@@ -109,11 +109,11 @@ pub struct Path {
     pub code: Rc<str>,
     /// The last segment.
     pub last: Name,
-    /// What stands before the last segment.
+    /// The part before the last segment.
     pub owner: Owner,
 }
 
-/// What stands before the last segment of a path.
+/// The part of a path before its last segment.
 #[derive(Clone, Debug)]
 pub enum Owner {
     /// Nothing.
@@ -218,7 +218,7 @@ pub struct For {
     pub label: Option<Name>,
     /// The loop variable.
     pub pattern: Pattern,
-    /// What it runs over.
+    /// The elements that it runs over.
     pub over: Expr,
     /// The body.
     pub body: Block,
@@ -240,7 +240,7 @@ pub struct Closure {
 pub struct Pattern {
     /// Where it stands.
     pub origin: Origin,
-    /// What it is.
+    /// The kind of the pattern.
     pub kind: PatternKind,
 }
 

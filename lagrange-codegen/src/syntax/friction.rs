@@ -3,7 +3,7 @@
 use super::body::{Expr, Word};
 use crate::diagnostics::Origin;
 
-/// What limits a friction.
+/// The limit of a friction.
 #[derive(Clone, Debug)]
 pub struct Friction {
     /// The coefficient, or the largest force where that is given.

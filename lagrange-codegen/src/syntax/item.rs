@@ -116,7 +116,7 @@ impl Item {
     }
 }
 
-/// What a declared coordinate is.
+/// The kind of a declared coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A number.
@@ -263,11 +263,11 @@ pub struct Parameter {
     pub ty: Type,
     /// How many references stand before it.
     pub references: usize,
-    /// What a role passes for it; `None` for other parameters, which only helpers may have.
+    /// The argument that a role passes for it; `None` for other parameters, which only helpers may have.
     pub argument: Option<Argument>,
 }
 
-/// What a role function can ask for.
+/// An argument that a role function can ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Argument {
     /// One of the generated structs.
@@ -310,7 +310,7 @@ pub struct Velocity {
     pub origin: Origin,
 }
 
-/// What a function means.
+/// The meaning of a function.
 #[derive(Clone, Debug)]
 pub struct Role {
     /// Its kind and arguments.
@@ -378,7 +378,7 @@ pub struct Eliminate {
     pub origin: Origin,
 }
 
-/// What a force acts on.
+/// The place or coordinate that a force acts on.
 #[derive(Clone, Debug)]
 pub enum Target {
     /// `#[force]`: all coordinates in order.

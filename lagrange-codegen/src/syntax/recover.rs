@@ -1,4 +1,4 @@
-//! What replaces the expansion after a mistake, so that only our messages are reported.
+//! The replacement of the expansion after a mistake, so that only our messages are reported.
 
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};

@@ -186,7 +186,7 @@ pub fn refused(role: &RoleKind, argument: Argument) -> Option<String> {
     }
 }
 
-/// What a role function returns, in words.
+/// The value that a role function returns, in words.
 pub fn returns(role: &RoleKind) -> &'static str {
     match role {
         RoleKind::Point { .. } => "a position such as `Vector2<f64>`, or an array of them",

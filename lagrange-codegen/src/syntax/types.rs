@@ -13,7 +13,7 @@ use crate::diagnostics::Origin;
 pub struct Type {
     /// Where it stands.
     pub origin: Origin,
-    /// What it is.
+    /// The kind of the type.
     pub kind: TypeKind,
     /// The check that this is nalgebra's type of that name.
     pub meaning: Option<Meaning>,

@@ -1,4 +1,4 @@
-//! What a program may use of an expansion.
+//! The items of an expansion that a program may use.
 
 use std::collections::BTreeSet;
 
@@ -16,7 +16,7 @@ pub struct Items {
 }
 
 impl Items {
-    /// Those of an expansion.
+    /// The items of an expansion.
     pub fn of(expansion: TokenStream) -> Items {
         let is_accepted = is_accepted(&expansion.to_string());
         let mut items = Items { names: BTreeSet::new(), is_accepted };
@@ -37,7 +37,7 @@ impl Items {
         items
     }
 
-    /// Those that another expansion lacks.
+    /// The items that another expansion lacks.
     pub fn missing_in<'a>(&'a self, other: &'a Items) -> Vec<&'a str> {
         self.names.difference(&other.names).map(String::as_str).collect()
     }

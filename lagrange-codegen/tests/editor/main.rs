@@ -25,14 +25,14 @@ use items::Items;
 use mutation::{ACCEPTED, Random};
 use proc_macro2::TokenStream;
 
-/// How many descriptions; `CASES` is another number.
+/// The number of descriptions, unless `CASES` is another one.
 const COUNT: u64 = 1000;
 
 /// Roles and arguments that declare items by themselves, and the one name of a list.
 const DECLARE: [&str; 9] =
     ["point", "body", "holonomic", "nonholonomic", "eliminate", "event", "jacobians", "analysis", "motor"];
 
-/// How many descriptions kept all items, and all that they owe.
+/// The numbers of descriptions that kept all items, and all that they owe.
 #[derive(Default)]
 struct Share {
     tried: u64,

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use mutation::{ACCEPTED, Random, is_accepted, mutated};
 use proc_macro2::TokenStream;
 
-/// How many descriptions; the example takes any number.
+/// The number of descriptions; the example takes any number.
 const COUNT: u64 = 2000;
 
 #[test]

@@ -80,7 +80,7 @@ fn coefficients(values: impl Fn(f64) -> Vec<f64>) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// What is wrong with the recurrences of a description.
+/// Checks the recurrences of a description. An error says what is wrong.
 fn check(model: &mut Model, equations: &Equations, recurrences: &Equations) -> Result<(), String> {
     let (count, held) = (equations.force.len(), equations.conditions.count());
     let jets = jets::derive(model, recurrences).ok_or("the system is not smooth")?;

@@ -4,7 +4,7 @@ use crate::expression::{Body, Expr, Instant, Scope, Vector};
 use crate::number::Number;
 use crate::system::{Place, Role, System};
 
-/// What a constraint is a function of.
+/// The variables of a constraint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// f(q, t).
@@ -15,7 +15,7 @@ pub enum Kind {
     Chetaev,
 }
 
-/// What a constraint function returns.
+/// The value that a constraint function returns.
 #[derive(Clone, Debug)]
 pub enum Rows {
     Scalar(Expr),

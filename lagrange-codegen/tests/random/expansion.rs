@@ -10,7 +10,7 @@ use crate::source::Source;
 /// Emitted functions by name.
 pub type Functions = BTreeMap<String, ImplItemFn>;
 
-/// What the engine emits for one system.
+/// The engine's expansion of one system.
 #[derive(Clone, Default)]
 pub struct Expansion {
     /// Inherent methods.

@@ -119,7 +119,7 @@ impl<T: Number> Instant<T> {
     }
 }
 
-/// What an expression can see.
+/// The names that an expression can see.
 pub struct Scope<'a, T> {
     pub system: &'a System,
     pub instant: &'a Instant<T>,

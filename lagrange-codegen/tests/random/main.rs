@@ -260,7 +260,7 @@ fn planted_faults_in_derivatives_are_caught() {
     caught.assert_most();
 }
 
-/// Of planted faults, how many were noticed, and how many there were.
+/// The numbers of planted faults that were noticed, and of all.
 #[derive(Default)]
 struct Caught(Mutex<BTreeMap<Fault, (usize, usize)>>);
 

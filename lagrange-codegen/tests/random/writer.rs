@@ -80,7 +80,7 @@ impl Writer<'_> {
         }
     }
 
-    /// What a loop runs over.
+    /// The elements that a loop runs over.
     pub fn elements(&self, which: usize) -> String {
         match self.system.looped(which) {
             (Some(group), _) => format!("q.{}", group.name),

@@ -16,10 +16,10 @@ pub use systems::{CartPole, DoublePendulum, FourBar, Kepler, Links};
 /// Gravitational acceleration \[m/s²].
 const G: f64 = 9.81;
 
-/// What motions of fixed steps share: length \[s] and number of the steps.
+/// The setting of motions in fixed steps: length \[s] and number of the steps.
 pub type Steps = (f64, u64);
 
-/// What motions under error control share: the time of their end \[s] and the tolerance.
+/// The setting of motions under error control: the time of their end \[s] and the tolerance.
 pub type Until = (f64, f64);
 
 /// Where a motion ends.

@@ -48,7 +48,7 @@ pub struct Equilibrium<R, const N: usize, const C: usize> {
     /// Whether there is no other equilibrium nearby: the stiffness is regular on the motions that the
     /// constraints allow.
     pub is_isolated: bool,
-    /// What becomes of small deviations.
+    /// The fate of small deviations.
     pub stability: Stability,
     /// The method that found it.
     pub found_by: FoundBy,

@@ -20,7 +20,7 @@ use crate::system::state::State;
 pub struct InertiaForces<R, const N: usize> {
     /// −M a.
     pub relative: [R; N],
-    /// What T₂ contributes without accelerations: −Σ \[ij, k] vᵢ vⱼ − ∂M/∂t v, centrifugal and Coriolis
+    /// The contribution of T₂ without accelerations: −Σ \[ij, k] vᵢ vⱼ − ∂M/∂t v, centrifugal and Coriolis
     /// forces of the coordinates.
     pub coriolis: [R; N],
     /// −G v from T₁, with the skew G = ∂g/∂q − (∂g/∂q)ᵀ: Coriolis forces of a moving frame, and magnetic

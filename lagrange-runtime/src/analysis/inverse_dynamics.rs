@@ -13,7 +13,7 @@ use crate::system::state::State;
 pub struct InverseDynamics<R, const N: usize, const C: usize> {
     /// M a − f = M a + b − (Q − ∂D/∂v), with the inputs in Q at zero.
     pub total: [R; N],
-    /// What is left of it once the constraints bear what they can: the part in M times the velocities that
+    /// The remainder once the constraints bear as much as they can: the part in M times the velocities that
     /// the constraints allow. The same as `total` without constraints.
     pub required: [R; N],
     /// The multipliers under `required`: `total` = `required` + Aᵀλ.

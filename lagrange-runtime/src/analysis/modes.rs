@@ -292,7 +292,7 @@ fn mode<const N: usize>(
     let shape = SVector::<Complex<f64>, N>::from_fn(|i, _| shape[i]);
     let size = |x: &Complex<f64>| x.re.hypot(x.im);
     let leading = shape.iter().fold(ZERO, |most, x| {
-        // Of components of equal size the first one leads, whatever their rounding errors.
+        // Among components of equal size the first one leads, whatever their rounding errors.
         if size(x) > size(&most) * (1.0 + 1e-9) { *x } else { most }
     });
     if size(&leading) == 0.0 {

@@ -340,7 +340,7 @@ where
         self.transition
     }
 
-    /// What the motion has cost so far: every eight directions take steps of their own.
+    /// The cost of the motion so far: every eight directions take steps of their own.
     #[must_use]
     pub fn steps(&self) -> Steps {
         let (first, others) = (self.simulation.steps(), self.counts);

@@ -21,7 +21,7 @@ use crate::system::state::State;
 pub use differences::derivative;
 pub use placed::{Given, Placed, given, kinetic};
 
-/// What a model must satisfy.
+/// An identity that a model must satisfy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Identity {
@@ -130,7 +130,7 @@ pub struct Described<R> {
     pub uncertainty: R,
 }
 
-/// What moves a system at a state.
+/// Accelerations and loads of a system at a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Driven<R, const N: usize> {
     /// a.

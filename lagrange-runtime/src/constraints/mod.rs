@@ -126,7 +126,7 @@ impl<P: SaddlePoint<R, N, C>, R: Real, const N: usize, const C: usize> Equations
     }
 }
 
-/// What generated code implements for `C` scalar constraints.
+/// The equations and residuals that generated code gives for `C` scalar constraints.
 pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> {
     /// The factors of M and A.
     type Saddle: SaddlePoint<Self::Scalar, N, C> + Clone;

@@ -106,7 +106,7 @@ fn is_within<R: Ordered, const N: usize>(
 /// The scale of errors of a step, in the kinetic metric.
 #[derive(Clone, Copy)]
 struct Sizes<R> {
-    /// Of the coordinates and of the velocities.
+    /// The scales of the coordinates and of the velocities.
     of: [R; 2],
     /// The absolute tolerance.
     absolute: R,

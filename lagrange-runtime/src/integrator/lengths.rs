@@ -16,7 +16,7 @@ const SHORTER: f64 = 0.9;
 /// The factor on a measured length whose end is wrong.
 const HALF: f64 = 0.5;
 
-/// What follows after a step has landed.
+/// The verdict about a step that has landed.
 pub(crate) enum Verdict<R, const N: usize> {
     /// It ends here. The motion keeps how well the constraints have determined it.
     Take(Landing<R, N>, Determined<R>),
@@ -34,7 +34,7 @@ enum Outcome<R> {
     Right(Independence<R>),
 }
 
-/// What to do next.
+/// The next action.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Next<R> {
     /// Try this length.

@@ -51,7 +51,7 @@ fn rotate<R: Ordered, const N: usize>(
     let (a, b, between) = (matrix[i][i], matrix[j][j], matrix[i][j]);
     let zeta = (b - a) / (between + between);
     let sign = if zeta < R::zero() { -R::one() } else { R::one() };
-    // Of both angles the smaller one, by a form in which no square overflows.
+    // The smaller of both angles, by a form in which no square overflows.
     let tangent = sign / (zeta.abs() + R::one().hypot(zeta));
     let cosine = R::one().hypot(tangent).recip();
     let sine = cosine * tangent;

@@ -98,7 +98,7 @@ impl Memory {
 pub(crate) struct Zero<R> {
     /// The zero, as a part of the step.
     pub(crate) theta: R,
-    /// What the guard does there.
+    /// The way of the guard through the zero.
     pub(crate) kind: Kind,
     /// The side it has afterwards.
     pub(crate) side: Side,

@@ -89,7 +89,7 @@ where
                 let Some(trial) = regime(&S::ROWS, parts, &options, &[false; C], self.kinks) else {
                     return false;
                 };
-                // Of regimes that differ in friction alone, one is taken.
+                // Among regimes that differ in friction alone, one is taken.
                 if chosen.as_ref().is_some_and(|chosen| parts_at(&S::ROWS, &chosen.regime, &trial).is_none())
                 {
                     return false;

@@ -118,7 +118,7 @@ where
         guards.filter(|&guard| self.watch.has(guard))
     }
 
-    /// Those that are polynomials, as the motion is.
+    /// The guards that are polynomials, as the motion is.
     pub(super) fn along(&self) -> impl Iterator<Item = Guard> + '_ {
         self.all().filter(|&guard| !self.is_sampled(guard))
     }

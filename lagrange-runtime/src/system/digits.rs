@@ -6,9 +6,9 @@ use crate::number::real::{DoubleDouble, Real};
 /// Decimal digits in common, for each coordinate and velocity; see [`State::digits_in_common`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Digits<const N: usize> {
-    /// Of the coordinates.
+    /// The digits of the coordinates.
     pub q: [f64; N],
-    /// Of the velocities.
+    /// The digits of the velocities.
     pub v: [f64; N],
 }
 

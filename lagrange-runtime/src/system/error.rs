@@ -1,4 +1,4 @@
-//! What can stop a motion: a cause and the time. Small, `Copy`, without strings.
+//! Errors that stop a motion: a cause and the time. Small, `Copy`, without strings.
 //!
 //! An error never loses the motion: the state stays at the last good point.
 

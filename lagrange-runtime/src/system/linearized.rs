@@ -113,7 +113,7 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
         u: &[Self::Scalar; K],
     ) -> [[Self::Scalar; K]; N];
 
-    /// What [`Linearized::jacobians`] solves, into matrices of zeros.
+    /// The equations that [`Linearized::jacobians`] solves, into matrices of zeros.
     #[doc(hidden)]
     fn factored_at(
         &self,

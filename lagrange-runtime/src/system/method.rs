@@ -40,7 +40,7 @@ pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
 pub struct Terms<'a, R, const N: usize> {
     /// Terms of the coordinates, from the first order on, in a unit of time of the method.
     pub q: &'a [[R; N]],
-    /// Those of the velocities.
+    /// Terms of the velocities.
     pub v: &'a [[R; N]],
     /// The length of the step in that unit.
     pub length: R,

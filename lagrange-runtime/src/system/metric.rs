@@ -18,7 +18,7 @@ pub struct Metric<R, const N: usize> {
 }
 
 impl<R: Real, const N: usize> Metric<R, N> {
-    /// Of the mass matrix and the constraints that have been factored.
+    /// The metric of a mass matrix and constraints that have been factored.
     #[inline(always)]
     pub(crate) fn of<const C: usize>(saddle: &impl SaddlePoint<R, N, C>) -> Self {
         let units = saddle.units();

@@ -39,14 +39,14 @@ impl fmt::Debug for Name {
 /// The names of a system.
 #[derive(Clone, Copy, Debug)]
 pub struct Names {
-    /// Of the coordinates, in their order.
+    /// Names of the coordinates, in their order.
     pub coordinates: &'static [&'static str],
-    /// Of the scalar constraints, in their order.
+    /// Names of the scalar constraints, in their order.
     pub constraints: &'static [&'static str],
 }
 
 impl Names {
-    /// Those of a system written by hand, which has none.
+    /// The names of a system written by hand, which has none.
     pub const NONE: Self = Self { coordinates: &[], constraints: &[] };
 
     pub(crate) fn coordinate(&self, index: usize) -> Name {

@@ -62,9 +62,9 @@ pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
 /// Taylor coefficients of coordinates and velocities, of the orders 1 to `P`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Series<R, const N: usize, const P: usize> {
-    /// Of the coordinates; coefficient k stands at k − 1.
+    /// Coefficients of the coordinates; coefficient k stands at k − 1.
     pub q: [[R; N]; P],
-    /// Of the velocities.
+    /// Coefficients of the velocities.
     pub v: [[R; N]; P],
     /// How independent the constraints are at the point of expansion.
     pub independence: Independence<R>,

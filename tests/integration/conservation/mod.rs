@@ -1,4 +1,4 @@
-//! What a motion must keep: energy, momenta, phase volume, and the way back.
+//! Quantities that a motion must keep: energy, momenta, phase volume, and the way back.
 
 mod energy;
 mod momenta;

@@ -96,7 +96,7 @@ impl Flat {
     }
 }
 
-/// What ends a motion by each method, and when.
+/// The errors that end a motion by each method.
 macro_rules! ends {
     ($system:expr, $start:expr, $end:expr) => {{
         let (system, start, end): (_, _, f64) = (&$system, $start, $end);

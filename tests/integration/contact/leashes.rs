@@ -39,7 +39,7 @@ fn a_rope_goes_taut_and_keeps_what_goes_round() {
     let switch = motion.advance_to_switch(2.0).unwrap().unwrap();
     close(switch.state.t, taut, 1e-12);
     all_close(switch.before.q, [0.6, -0.8], 1e-12);
-    // What is left goes along the circle, (−0.8, −0.6); the rest is the impulse of the rope.
+    // The velocity that is left goes along the circle, (−0.8, −0.6); the rest is the impulse of the rope.
     let along = 0.6 * speed;
     all_close(switch.state.v, [-0.8 * along, -0.6 * along], 1e-12);
     close(motion.impulses().rope, 0.4 * 0.8 * speed, 1e-12);

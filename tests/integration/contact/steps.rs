@@ -129,7 +129,7 @@ fn a_block_sticks_and_slips_in_fixed_steps() {
 #[test]
 fn inputs_that_change_from_step_to_step_are_seen_at_once() {
     let mut motion = Belt.stepper::<Jet<8>>(State::new([0.0], [0.2]));
-    // What friction holds, and what it does not.
+    // Forces that friction holds, and forces that it does not hold.
     for step in 0..32_u8 {
         let state = motion.step(H, &[3.0 * f64::from(step % 2)]).unwrap();
         close(state.v[0], 0.2, 1e-15);

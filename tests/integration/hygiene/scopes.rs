@@ -95,7 +95,7 @@ fn a_hostile_scope_changes_nothing() {
     all_close(found, expected, 1e-14);
 }
 
-/// Nothing but what the language itself provides.
+/// A scope with nothing but the language itself.
 mod bare {
     #![no_implicit_prelude]
 

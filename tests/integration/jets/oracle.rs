@@ -1,4 +1,4 @@
-//! What a series is compared with.
+//! The references of series.
 
 use lagrangian::{Dop853, Series, Smooth, State};
 

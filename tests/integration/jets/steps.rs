@@ -137,7 +137,7 @@ fn a_step_of_no_length_changes_nothing() {
     assert_eq!(motion.step(0.1, &[f64::NAN]).unwrap_err().cause, Cause::NotFinite);
     assert_eq!(motion.step(1e300, &INPUT).unwrap_err().cause, Cause::NotFinite);
     assert_eq!(motion.state(), &start());
-    // What went wrong leaves no trace.
+    // A failed step leaves no trace.
     let mut fresh = CART_POLE.stepper::<Jet<6>>(start());
     assert_eq!(motion.step(0.1, &INPUT), fresh.step(0.1, &INPUT));
 }

@@ -1,4 +1,4 @@
-//! What a system can have beside orientations: other methods, derivatives, lanes of numbers, contacts,
+//! Other things beside orientations in a system: other methods, derivatives, lanes of numbers, contacts,
 //! forces.
 
 use lagrangian::prelude::*;

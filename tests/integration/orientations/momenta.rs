@@ -1,4 +1,4 @@
-//! What is conserved where nothing tells one direction of space from another.
+//! Quantities that are conserved where all directions of space are alike.
 
 use lagrangian::prelude::*;
 

@@ -1,4 +1,4 @@
-//! What no macro can see is caught by the comparison at first use.
+//! Names that no macro can see through are caught by the comparison at first use.
 
 use lagrangian::prelude::*;
 

@@ -1,4 +1,4 @@
-//! What is read rightly: the generated potential is that of the user's own function.
+//! Forms that are read rightly: the generated potential is that of the user's own function.
 
 use lagrangian::prelude::*;
 

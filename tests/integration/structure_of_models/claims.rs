@@ -1,5 +1,5 @@
-//! What must not be claimed: Lagrangians that depend on time though their equations do not, and forces that a
-//! search could overlook.
+//! Properties that must not be claimed: Lagrangians that depend on time though their equations do not, and
+//! forces that a search could overlook.
 
 use lagrangian::prelude::*;
 use lagrangian::{Autonomous, Conservative, Cyclic};

@@ -1,5 +1,5 @@
-//! What a model tells about itself with `analysis` in its attribute: parts of the energy, integrals,
-//! Christoffel symbols, canonical equations, lumped parameters.
+//! The analysis of a model with `analysis` in its attribute: parts of the energy, integrals, Christoffel
+//! symbols, canonical equations, lumped parameters.
 
 mod certificate;
 mod claims;

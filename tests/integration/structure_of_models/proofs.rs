@@ -1,4 +1,4 @@
-//! What the macro proves of systems in traits, and what it does not.
+//! The properties of systems that the macro proves in traits, and those that it does not.
 
 use lagrangian::prelude::*;
 use lagrangian::{Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable};

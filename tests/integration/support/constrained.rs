@@ -91,7 +91,7 @@ pub(crate) use bound;
 /// Step of the differences: the systems vary over lengths and times of order one, with higher harmonics.
 const STEP: f64 = 0.004;
 
-/// What differences reach, relative to the size of the terms.
+/// The accuracy of differences, relative to the size of the terms.
 const TOLERANCE: f64 = 1e-10;
 
 impl<const N: usize, const C: usize> Bound<'_, N, C> {

@@ -1,4 +1,4 @@
-//! What several tests share.
+//! The common tools of several tests.
 
 pub mod close;
 pub mod constrained;

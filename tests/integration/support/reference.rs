@@ -32,7 +32,7 @@ fn read(text: &str) -> Reference {
 }
 
 impl Reference {
-    /// What stands under a key.
+    /// The part under a key.
     pub fn part(&self, key: &str) -> Reference {
         let value = self.0.get(key).unwrap_or_else(|| panic!("reference: no `{key}`"));
         Reference(value.clone())

@@ -1,4 +1,5 @@
-//! What acts in the joints: motors, damping, friction, springs, rotors, stops, gears between joints.
+//! Forces and inertias in the joints: motors, damping, friction, springs, rotors, stops, gears between
+//! joints.
 
 use super::Writer;
 use super::bodies::weighted;

@@ -77,7 +77,7 @@ impl Writer<'_> {
         format!("{record}.{}", self.plan.coordinates[coordinate].name)
     }
 
-    /// What stands in front of the functions.
+    /// The text in front of the functions.
     fn head(&mut self, options: &Options, file: &str, body: &str) {
         let plan = self.plan;
         let file = file.rsplit(['/', '\\']).next().unwrap_or(file);

@@ -18,7 +18,7 @@ use systems::{Bits, Experiment, Visitor, each};
 /// Steps whose instructions are counted.
 const STEPS: u32 = 64;
 
-/// What the stack is painted with.
+/// The word with which the stack is painted.
 const PAINT: u32 = 0xcccc_cccc;
 
 #[cortex_m_rt::entry]

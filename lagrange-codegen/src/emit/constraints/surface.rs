@@ -14,7 +14,7 @@ use crate::structure::Saddle;
 pub(in crate::emit) struct Implementations {
     /// The items of `System`.
     pub system: String,
-    /// Those of them that define the constants of a run.
+    /// The statements that define the constants of a run.
     pub constants: String,
     /// The items of `Surface`.
     pub surface: String,

@@ -1,4 +1,5 @@
-//! What a motion computes once: values of parameters alone, and the factorisations of constant blocks.
+//! The computations of a motion that are made once: values of parameters alone, and the factorisations of
+//! constant blocks.
 
 use super::solvers::factor_type;
 use crate::emit::Emission;

@@ -234,8 +234,8 @@ impl Pass<'_> {
             text.push_str(&format!("let {}: {scalar} = lagrange::jets::time(h, order);\n", of.time));
         }
         text.push_str(&sums);
-        // What does not depend on the solution comes before it, to be computed meanwhile. In systems with
-        // many products it would not fit into the registers.
+        // Statements that do not depend on the solution come before it, to be computed meanwhile. In systems
+        // with many products their values would not fit into the registers.
         let early = match &expansion.sums {
             Sums::Few(_) => {
                 expansion.program.settled(Phase::Order, &[&outputs.solution[..], &outputs.end].concat())

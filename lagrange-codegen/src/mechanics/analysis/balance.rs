@@ -1,4 +1,4 @@
-//! How the energy and the Jacobi integral change along a motion.
+//! The rates of the energy and of the Jacobi integral along a motion.
 
 use crate::expr::NodeId;
 use crate::mechanics::{Equations, energy};

@@ -125,7 +125,7 @@ impl Value {
         self.list()?.iter().map(index).collect()
     }
 
-    /// What a check of a pivot or a block returns.
+    /// The result of a check of a pivot or a block.
     pub fn verdict(regular: bool) -> Value {
         let cause = || "the mass matrix is singular".to_owned();
         Value::Result(if regular { Ok(Box::new(Value::Unit)) } else { Err(cause()) })

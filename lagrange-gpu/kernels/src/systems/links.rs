@@ -15,7 +15,7 @@ pub struct Links {
 
 #[lagrangian(coordinates = [theta: [LINKS]])]
 impl Links {
-    /// How many.
+    /// The number of links.
     pub const LINKS: usize = 5;
 
     /// Angles are measured from the downward vertical.

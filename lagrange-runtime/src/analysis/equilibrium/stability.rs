@@ -15,7 +15,7 @@ use crate::linear::diagonalise;
 use crate::linear::stored::Stored;
 use crate::number::real::{Ordered, Real, larger, smaller};
 
-/// What becomes of small deviations.
+/// The fate of small deviations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stability {
@@ -74,7 +74,7 @@ where
     S: Tangent<N, K, C>,
     S::Scalar: Ordered,
 {
-    /// What becomes of small deviations from an equilibrium.
+    /// The fate of small deviations from an equilibrium.
     pub fn stability(&self, rest: &Rest<S::Scalar, N, C>) -> Stability {
         let count = rest.motions.count;
         if count == 0 && Self::HOLONOMIC {

@@ -167,7 +167,7 @@ impl<R: Real, T: Turned<R>, const D: usize> Placed<R> for Isometry<R, T, D> {
     const SPATIAL: bool = T::SPATIAL;
 }
 
-/// What a function takes by reference or by value.
+/// An argument that a function takes by reference or by value.
 pub trait Given<T> {
     /// The argument.
     fn give(self) -> T;

@@ -12,9 +12,9 @@ const SHARE: f64 = 1e-3;
 
 /// Scales at one state.
 pub(super) struct Scales<R, const N: usize> {
-    /// Of time.
+    /// The scale of time.
     pub time: R,
-    /// Of the coordinates.
+    /// The scales of the coordinates.
     pub places: [R; N],
     /// Σ |v| / scale: how many times its scale a coordinate changes in a unit of time.
     pub pace: R,

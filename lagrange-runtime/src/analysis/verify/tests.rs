@@ -9,7 +9,7 @@ use nalgebra::{Isometry3, Rotation3, UnitQuaternion, Vector3};
 /// A pendulum of unit mass and length with one number wrong, in any units. Its coordinate is a length.
 #[derive(Clone, Copy)]
 struct Pendulum {
-    /// Of mass, length and time.
+    /// The units of mass, length and time.
     units: [f64; 3],
     inertia: f64,
     weight: f64,

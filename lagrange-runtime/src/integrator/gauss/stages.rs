@@ -46,7 +46,7 @@ pub(super) struct Places<R, const N: usize, const STAGES: usize> {
     pub v: [[R; N]; STAGES],
 }
 
-/// What the size of a correction tells.
+/// The verdict from the size of a correction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Verdict {
     /// Only rounding is left.

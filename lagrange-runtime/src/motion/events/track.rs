@@ -1,4 +1,4 @@
-//! What is known of one guard, and its zeros on the present interval.
+//! The knowledge of one guard, and its zeros on the present interval.
 
 use super::interval::{Interval, POINTS, Watched};
 use super::{Crossing, Guard};

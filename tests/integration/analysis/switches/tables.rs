@@ -134,7 +134,7 @@ fn a_rocking_block_has_the_derivatives_of_differences() {
         let varied = block.variational();
         let mut motion = varied.motion(tilted(angle, half_width)).unwrap().with_tolerance(TIGHT);
         let found = motion.advance_to(t).unwrap();
-        // How the start moves with the angle and with the width, along which it stays in contact.
+        // The changes of the start with the angle and with the width, along which it stays in contact.
         let start = |f: &dyn Fn(f64) -> State<f64, 3>| derivative(1e-3, |by| f(by).q);
         let by_angle = start(&|by| tilted(angle + by, half_width));
         let by_width = start(&|by| tilted(angle, half_width + by));

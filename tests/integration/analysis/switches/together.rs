@@ -203,7 +203,7 @@ fn an_impact_with_friction_by_a_load_has_derivatives() {
     let by_friction = derivative(1e-3, |by| ends(0.3 + by, 0.4, 2.0));
     let by_restitution = derivative(1e-3, |by| ends(0.3, 0.4 + by, 2.0));
     let by_angle = derivative(1e-3, |by| ends(0.3, 0.4, 2.0 + by));
-    // What the start varies by goes along the constraints.
+    // The variation of the start goes along the constraints.
     let along = [0.5 * 2.0_f64.cos(), 0.5 * 2.0_f64.sin(), 1.0];
     for (row, (by_q, by_p)) in
         [(found.q_by_q, found.q_by_p), (found.v_by_q, found.v_by_p)].into_iter().enumerate()

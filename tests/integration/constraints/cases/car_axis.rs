@@ -9,7 +9,7 @@ use crate::support::motion::{TIGHT, both_follow, state_at};
 use crate::support::reference::published;
 
 struct CarAxis {
-    /// Of each wheel.
+    /// The mass of each wheel.
     mass: f64,
     length: f64,
     spring: f64,

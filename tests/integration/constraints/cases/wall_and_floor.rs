@@ -161,7 +161,7 @@ fn the_bar_slides_down() {
         let reactions = RELEASED.reactions(&state, &[0.0]).unwrap();
         let bar = reference.number("bar_force_compression(0.2)");
         close(reactions.bar, bar, EASY);
-        // What the bar hands on, beside the weight of the lower mass.
+        // The force that the bar hands on, beside the weight of the lower mass.
         let length = 2.0_f64.sqrt() * BAR.a;
         close(reactions.wall, bar * (BAR.a + x[1]) / length, EASY);
         close(reactions.floor, BAR.m[1] * G + bar * (BAR.a - x[0]) / length, EASY);

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-/// What an instruction works on.
+/// An operand of an instruction.
 #[derive(Clone, Debug)]
 pub enum Operand {
     /// A register, by number.
@@ -138,7 +138,7 @@ fn constant(text: &str) -> Result<Constant, String> {
     Ok(constant)
 }
 
-/// What stands in parentheses, and the rest.
+/// The text in parentheses, and the rest.
 fn parentheses(text: &str) -> Option<(&str, &str)> {
     text.trim_start().strip_prefix('(')?.split_once(')')
 }

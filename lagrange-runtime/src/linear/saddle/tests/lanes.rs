@@ -76,7 +76,7 @@ fn a_lane_without_inertia_is_nan_and_others_are_right() {
     assert_eq!(saddle.defect(), Some(Defect::Singular { coordinate: 1 }));
 }
 
-/// What ensembles in lanes rely on.
+/// The property that ensembles in lanes rely on.
 #[test]
 fn lanes_that_are_clearly_independent_decide_nothing_together() {
     let mut noise = Noise(9);

@@ -40,7 +40,7 @@ fn errors_come_at_their_time_and_end_the_search() {
     assert!(calls > 3 && motion.t() == 100.0);
 }
 
-/// What generated code looks like from another crate: a guard by name.
+/// A guard by name, as generated code makes it in another crate.
 #[derive(Clone, Copy)]
 enum Named {
     Position,

@@ -135,7 +135,7 @@ fn the_ends_of_a_step() {
     }
     let [zero] = zeros(Memory::Unknown, end)[..] else { panic!("one zero") };
     assert_eq!((zero.theta, zero.kind, zero.side), (1.0, Kind::Falling, Side::Below));
-    // What is on the wrong side falls at once.
+    // A guard on the wrong side falls at once.
     let [zero] = zeros(Memory::Side(Side::Above), |theta: f64| -1.0 - theta)[..] else { panic!("one zero") };
     assert_eq!((zero.theta, zero.kind), (0.0, Kind::Falling));
 }

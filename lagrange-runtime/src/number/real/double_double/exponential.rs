@@ -237,7 +237,7 @@ pub(super) fn acosh(x: DoubleDouble) -> DoubleDouble {
 }
 
 pub(super) fn atanh(x: DoubleDouble) -> DoubleDouble {
-    // Of the size: near −1 the quotient would round to −1.
+    // The quotient of the size: near −1 the quotient of the number would round to −1.
     let size = x.abs();
     let quotient = div(size.scaled(2.0), sub(DoubleDouble::ONE, size));
     ln_1p(quotient).scaled(0.5 * x.high.signum())

@@ -100,7 +100,7 @@ impl Integer {
     pub(super) fn rounded(&self, power: i32) -> DoubleDouble {
         let excess = self.bits() - 126;
         let top = self.times_power_of_two(-excess);
-        // What was cut off breaks ties: it is less than a bit that both roundings are far above.
+        // The bits that were cut off break ties: they are less than a bit that both roundings are far above.
         let leading = top.value() | u128::from(top.inexact);
         let high = leading as f64;
         let low = (leading as i128 - high as i128) as f64;
