@@ -1,11 +1,11 @@
-//! Down in potential energy, by trust regions.
+//! The search for less potential energy, by trust regions.
 //!
-//! On the constraints the energy is, to second order in the components y of a motion, V − g·y + ½ yᵀ H y,
-//! where g are the forces that the multipliers of least squares leave and H = −Zᵀ (∂r/∂q) Z, in which the
-//! curvature of the constraints counts with their multipliers. The least value of this model in a ball is
-//! known from the eigenvalues of H, also where H is not positive (J. Nocedal, S. Wright, *Numerical
-//! Optimization*, 2nd ed., § 4.3): forces and negative curvature lead down alike. Its radius follows from how
-//! well the model foretells the change of energy.
+//! On the constraints the energy is, to second order in the components y of a motion, V − g·y + ½ yᵀ H y.
+//! Here g are the forces that are left beside the multipliers of least squares. H = −Zᵀ (∂r/∂q) Z contains
+//! the curvature of the constraints with their multipliers. The eigenvalues of H give the least value of this
+//! model in a ball, also where H is not positive (J. Nocedal, S. Wright, *Numerical Optimization*, 2nd ed., §
+//! 4.3): forces and negative curvature lead down alike. The radius of the ball follows from how well the
+//! model foretells the change of energy.
 //!
 //! The energy itself is never evaluated: a change of it is the work of the forces along the way. So nothing
 //! cancels near the end, constant inputs and moving coordinates need no energy of their own, and the forces
