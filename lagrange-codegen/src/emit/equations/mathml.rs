@@ -6,7 +6,10 @@ use crate::number::Number;
 
 /// The invisible sign of multiplication, which screen readers speak.
 const TIMES: &str = "<mo>\u{2062}</mo>";
+/// The invisible sign of a function of its argument.
 const OF: &str = "<mo>\u{2061}</mo>";
+/// The space around a function and a bare argument, as in sin θ. Browsers leave none.
+const THIN: &str = "<mspace width=\"0.17em\"/>";
 
 /// Equations, a row of a table each.
 pub(super) fn page(page: &Page) -> String {
@@ -56,7 +59,8 @@ fn formula(written: &Formula) -> String {
                 Some(power) => format!("<msup><mi>{name}</mi>{}</msup>", number(*power)),
             };
             let arguments = listed(arguments.iter().map(formula));
-            let arguments = if *is_grouped { fenced("(", &arguments, ")") } else { arguments };
+            let arguments =
+                if *is_grouped { fenced("(", &arguments, ")") } else { format!("{THIN}{arguments}") };
             format!("<mrow>{name}{OF}{arguments}</mrow>")
         }
     }
@@ -83,7 +87,11 @@ fn sum(terms: &[(bool, Formula)]) -> String {
 }
 
 fn product(factors: &[Formula]) -> String {
-    format!("<mrow>{}</mrow>", formula::factors(factors, [TIMES, "<mo>⋅</mo>"], formula))
+    let written = |factor: &Formula| match factor {
+        Formula::Application(_) if !std::ptr::eq(factor, &factors[0]) => format!("{THIN}{}", formula(factor)),
+        _ => formula(factor),
+    };
+    format!("<mrow>{}</mrow>", formula::factors(factors, [TIMES, "<mo>⋅</mo>"], written))
 }
 
 fn number(value: Number) -> String {
