@@ -29,6 +29,15 @@ use serde_json::Value;
 /// The number of descriptions, unless `CASES` is another one.
 const COUNT: u64 = 24;
 
+/// The first lines of a program. nalgebra has its macros behind a feature.
+const HEAD: &str = "use lagrangian::prelude::*;
+
+#[allow(unused_macros)]
+macro_rules! vector {
+    ($x:expr, $y:expr) => { Vector2::new($x, $y) };
+}
+";
+
 /// A program behind a description, which uses its system.
 fn program(name: &str) -> String {
     let system = if name == "Cart" { "Cart<f64>".to_owned() } else { name.to_owned() };
@@ -61,7 +70,7 @@ fn errors(structure: &str, args: &dyn Display, item: &dyn Display) -> (usize, Ve
     let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join("unfinished.rs");
     let name =
         structure.split_whitespace().nth(2).and_then(|name| name.split('<').next()).unwrap_or_default();
-    let before = format!("use lagrangian::prelude::*;\n\n{structure}\n\n#[lagrangian({args})]\n{item}\n\n");
+    let before = format!("{HEAD}\n{structure}\n\n#[lagrangian({args})]\n{item}\n\n");
     let end = before.lines().count() as u64;
     fs::write(&source, before + &program(name)).expect("the crate can be written");
     let messages = report(&source, "bin", "metadata");
