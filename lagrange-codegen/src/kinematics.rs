@@ -29,9 +29,9 @@ pub(crate) fn turning_direction(
     for i in 0..coordinates as u32 {
         direction.push((graph.variable(Variable::Coordinate(i)), graph.variable(Variable::Velocity(i))));
     }
-    for (place, &first) in turning.iter().enumerate() {
+    for (number, &first) in turning.iter().enumerate() {
         let spin = orientation::spin(graph, first);
-        for row in orientation::entries(graph, place) {
+        for row in orientation::entries(graph, number) {
             direction.extend(row.into_iter().zip(cross(graph, &row, &spin)));
         }
     }
@@ -61,7 +61,7 @@ pub(crate) fn slopes_to(
     turning: &[usize],
 ) -> (Vec<NodeId>, Vec<NodeId>) {
     let mut by = coordinates.to_vec();
-    let matrices: Vec<_> = (0..turning.len()).map(|place| orientation::entries(graph, place)).collect();
+    let matrices: Vec<_> = (0..turning.len()).map(|number| orientation::entries(graph, number)).collect();
     by.extend(matrices.as_flattened().as_flattened());
     let (at_held, mut slopes) = pullback_to(graph, seeds, held, &by);
     let by_entries = slopes.split_off(coordinates.len());

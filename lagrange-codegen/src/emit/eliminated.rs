@@ -94,7 +94,7 @@ fn declared(emission: &mut Emission<'_>, record: Record) -> Vec<NodeId> {
     };
     let mut eliminated = model.eliminated.iter().peekable();
     (0..model.coordinates.len() + model.eliminated.len())
-        .map(|place| match eliminated.next_if(|eliminated| eliminated.declared_index == place) {
+        .map(|index| match eliminated.next_if(|eliminated| eliminated.declared_index == index) {
             Some(eliminated) if record == Record::Velocities => eliminated.velocity,
             Some(eliminated) => eliminated.position,
             None => model.graph.variable(next()),

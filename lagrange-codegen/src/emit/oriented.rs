@@ -137,7 +137,7 @@ pub(super) fn state(emission: &Emission<'_>) -> String {
     let declared = emission.count() + eliminated.len();
     let (mut q, mut v, mut note) = ("q".to_owned(), "velocities.__rates(q)".to_owned(), "");
     if !eliminated.is_empty() {
-        let is_left = |place: &usize| eliminated.iter().all(|eliminated| eliminated.declared_index != *place);
+        let is_left = |index: &usize| eliminated.iter().all(|eliminated| eliminated.declared_index != *index);
         let left = |of: &str| {
             let numbers = (0..declared).filter(is_left).map(|i| format!("{of}[{i}]"));
             format!("[{}]", numbers.collect::<Vec<_>>().join(", "))

@@ -66,8 +66,7 @@ impl Part<NodeId> {
             Method::Ldlt => "Ldlt",
             Method::Lu => "Lu",
         };
-        let lower =
-            |place: usize| block.coordinates[..=place].iter().map(move |&j| (block.coordinates[place], j));
+        let lower = |row: usize| block.coordinates[..=row].iter().map(move |&j| (block.coordinates[row], j));
         let entries =
             (0..coordinates.len()).flat_map(lower).map(|(i, j)| emission.solved.mass[i][j]).collect();
         let results = coordinates.iter().map(|&i| emission.solved.force[i]).collect();

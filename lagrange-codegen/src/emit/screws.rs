@@ -53,8 +53,8 @@ pub(super) fn bodies(
     let added = |derivatives: &[String]| {
         let mut text = String::new();
         for (name, entries) in ["by_q", "by_v"].into_iter().zip(derivatives.chunks(count * count)) {
-            for (place, entry) in entries.iter().enumerate().filter(|(_, entry)| **entry != zero) {
-                let (i, j) = (place / count, place % count);
+            for (index, entry) in entries.iter().enumerate().filter(|(_, entry)| **entry != zero) {
+                let (i, j) = (index / count, index % count);
                 text.push_str(&format!("matrices.{name}[{i}][{j}] = matrices.{name}[{i}][{j}] + {entry};\n"));
             }
         }

@@ -129,8 +129,8 @@ impl<R: Real, const A: usize> SparseRows<R, A> {
 
 /// A component; zero outside.
 #[inline(always)]
-pub(super) fn entry<R: Real>(x: &[R], place: usize) -> R {
-    x.get(place).copied().unwrap_or(R::zero())
+pub(super) fn entry<R: Real>(x: &[R], index: usize) -> R {
+    x.get(index).copied().unwrap_or(R::zero())
 }
 
 impl<R: Real, const N: usize, const C: usize, const A: usize> Gradients<R, N, C> for SparseRows<R, A> {

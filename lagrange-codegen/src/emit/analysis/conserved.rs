@@ -130,10 +130,10 @@ fn turned(model: &Model, generator: &Generator) -> String {
     let of = |turn: &Turn| {
         let name = &model.coordinates[turn.first].name;
         let alike = |first: &&usize| model.coordinates[**first].name == *name;
-        let place = model.orientations.iter().filter(alike).position(|&first| first == turn.first);
+        let index = model.orientations.iter().filter(alike).position(|&first| first == turn.first);
         match model.orientations.iter().filter(alike).count() {
             1 => name.clone(),
-            _ => format!("{name}[{}]", place.unwrap_or_default()),
+            _ => format!("{name}[{}]", index.unwrap_or_default()),
         }
     };
     let (first, size) = turns[0];
@@ -195,16 +195,16 @@ fn combination(model: &Model, terms: &[(usize, Number)]) -> String {
     let mut text = String::new();
     let mut rest = terms;
     while let Some(&(first, value)) = rest.first() {
-        let follows = |quantity: &Quantity, place: usize| {
+        let follows = |quantity: &Quantity, number: usize| {
             let start = &model.coordinates[first];
             quantity.name == start.name
-                && matches!((start.index, quantity.index), (Some(a), Some(b)) if b == a + place)
+                && matches!((start.index, quantity.index), (Some(a), Some(b)) if b == a + number)
         };
         let run = rest
             .iter()
             .enumerate()
-            .take_while(|&(place, &(i, other))| {
-                place == 0 || (other == value && follows(&model.coordinates[i], place))
+            .take_while(|&(number, &(i, other))| {
+                number == 0 || (other == value && follows(&model.coordinates[i], number))
             })
             .count();
         let (taken, left) = rest.split_at(if run > 3 { run } else { 1 });

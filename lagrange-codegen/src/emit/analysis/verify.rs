@@ -208,11 +208,11 @@ fn described(emission: &mut Emission<'_>) -> String {
             weights.len(),
             weights.join(", ")
         );
-        for (place, (name, ..)) in placed.iter().enumerate() {
-            let (function, index) = name.split_at(name.find('[').unwrap_or(name.len()));
+        for (index, (name, ..)) in placed.iter().enumerate() {
+            let (function, element) = name.split_at(name.find('[').unwrap_or(name.len()));
             text.push_str(&format!(
-                "let (energy, doubt) = lagrange::verify::kinetic(|x| {{\nlet state = &path(x);\n{}{index}\n}}, \
-                 time, weights[{place}].0, weights[{place}].1);\n\
+                "let (energy, doubt) = lagrange::verify::kinetic(|x| {{\nlet state = &path(x);\n{}{element}\n}}, \
+                 time, weights[{index}].0, weights[{index}].1);\n\
                  described.kinetic += energy;\ndescribed.uncertainty += doubt;\n",
                 call(emission, function)
             ));
@@ -312,8 +312,8 @@ fn replaced(tokens: TokenStream, parameter: &Ident) -> TokenStream {
 
 fn snake_case(name: &str) -> String {
     let mut text = String::new();
-    for (place, c) in name.chars().enumerate() {
-        if c.is_uppercase() && place > 0 {
+    for (index, c) in name.chars().enumerate() {
+        if c.is_uppercase() && index > 0 {
             text.push('_');
         }
         text.extend(c.to_lowercase());

@@ -16,23 +16,23 @@ fn fold(line: &str) -> Vec<String> {
     while rest.len() > WIDTH {
         // The last of the outermost signs within the width, or else the first one beyond it.
         let (mut depth, mut best) = (0, None);
-        for (place, window) in rest.windows(3).enumerate() {
-            if place > WIDTH && best.is_some() {
+        for (index, window) in rest.windows(3).enumerate() {
+            if index > WIDTH && best.is_some() {
                 break;
             }
             match window {
                 ['(', ..] => depth += 1,
                 [')', ..] => depth -= 1,
                 [' ', '+' | '−' | '=', ' ']
-                    if place > WIDTH / 4 && best.is_none_or(|(least, _)| depth <= least) =>
+                    if index > WIDTH / 4 && best.is_none_or(|(least, _)| depth <= least) =>
                 {
-                    best = Some((depth, place));
+                    best = Some((depth, index));
                 }
                 _ => {}
             }
         }
-        let Some((_, place)) = best else { break };
-        let after: Vec<char> = INDENT.chars().chain(rest.drain(place..).skip(1)).collect();
+        let Some((_, index)) = best else { break };
+        let after: Vec<char> = INDENT.chars().chain(rest.drain(index..).skip(1)).collect();
         lines.push(std::mem::replace(&mut rest, after).into_iter().collect());
     }
     lines.push(rest.into_iter().collect());

@@ -26,12 +26,12 @@ fn joined(graph: &mut Graph, id: NodeId) -> NodeId {
     if terms.len() < 2 || terms.len() > MOST {
         return id;
     }
-    for (place, &term) in terms.iter().enumerate() {
-        for (other, &partner) in terms.iter().enumerate().skip(place + 1) {
+    for (index, &term) in terms.iter().enumerate() {
+        for (other, &partner) in terms.iter().enumerate().skip(index + 1) {
             if let Some(merged) = merged(graph, term, partner) {
                 let mut rest = terms.clone();
                 rest.remove(other);
-                rest[place] = merged;
+                rest[index] = merged;
                 let sum = graph.sum(offset, &rest);
                 return joined(graph, sum);
             }
@@ -50,8 +50,8 @@ fn merged(graph: &mut Graph, left: (NodeId, Number), right: (NodeId, Number)) ->
         .iter()
         .enumerate()
         .filter(|(_, (_, exponent))| *exponent == Exponent(2))
-        .filter_map(|(place, (factor, _))| match *graph.node(*factor) {
-            Node::Unary(function @ (Unary::Sin | Unary::Cos), angle) => Some((place, function, angle)),
+        .filter_map(|(index, (factor, _))| match *graph.node(*factor) {
+            Node::Unary(function @ (Unary::Sin | Unary::Cos), angle) => Some((index, function, angle)),
             _ => None,
         })
         .collect();
@@ -60,7 +60,7 @@ fn merged(graph: &mut Graph, left: (NodeId, Number), right: (NodeId, Number)) ->
             let rest: Vec<(NodeId, Exponent)> = factors
                 .iter()
                 .enumerate()
-                .filter(|&(place, _)| place != first && place != second)
+                .filter(|&(index, _)| index != first && index != second)
                 .map(|(_, &factor)| factor)
                 .collect();
             let (of_a, of_b) = (graph.unary(other(one), a), graph.unary(other(two), b));

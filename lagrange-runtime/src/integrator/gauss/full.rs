@@ -93,11 +93,11 @@ fn eliminate<R: Ordered, const N: usize, const STAGES: usize>(
     rows: &mut Rows<R, N, STAGES>,
     right: &mut Row<R, N, STAGES>,
 ) {
-    let place = |row: usize| (row / N, row % N);
+    let stage_of = |row: usize| (row / N, row % N);
     for column in 0..N * STAGES {
-        let (j, m) = place(column);
+        let (j, m) = stage_of(column);
         let mut best = (j, m);
-        for (i, n) in (column..N * STAGES).map(place) {
+        for (i, n) in (column..N * STAGES).map(stage_of) {
             if rows[i][n][j][m].abs() > rows[best.0][best.1][j][m].abs() {
                 best = (i, n);
             }
@@ -106,7 +106,7 @@ fn eliminate<R: Ordered, const N: usize, const STAGES: usize>(
         (rows[best.0][best.1], right[best.0][best.1]) = (rows[j][m], right[j][m]);
         (rows[j][m], right[j][m]) = (pivot, value);
         let inverse = pivot[j][m].recip();
-        for (i, n) in (column + 1..N * STAGES).map(place) {
+        for (i, n) in (column + 1..N * STAGES).map(stage_of) {
             let factor = rows[i][n][j][m] * inverse;
             if factor != R::zero() {
                 for (entry, &above) in rows[i][n].iter_mut().flatten().zip(pivot.iter().flatten()) {
@@ -117,9 +117,9 @@ fn eliminate<R: Ordered, const N: usize, const STAGES: usize>(
         }
     }
     for column in (0..N * STAGES).rev() {
-        let (j, m) = place(column);
+        let (j, m) = stage_of(column);
         right[j][m] *= rows[j][m][j][m].recip();
-        for (i, n) in (0..column).map(place) {
+        for (i, n) in (0..column).map(stage_of) {
             right[i][n] -= rows[i][n][j][m] * right[j][m];
         }
     }

@@ -69,7 +69,7 @@ impl<R: Real, const C: usize> Loads<R, C> {
     pub(super) fn new(table: &'static [Load], shares: &[[R; C]; C], linear: &Lu<R, C>) -> Option<Self> {
         let mut response = [[R::zero(); C]; C];
         for (row, _) in sizes(table) {
-            let unit = core::array::from_fn(|place| if place == row { R::one() } else { R::zero() });
+            let unit = core::array::from_fn(|index| if index == row { R::one() } else { R::zero() });
             *response.get_mut(row)? = linear.solve(unit);
         }
         let this = Self { table, shares: *shares, response };
@@ -270,9 +270,8 @@ mod tests {
                 known[order] = loads.solve_order(&[2.0 * x, 2.0 * y, 0.0], 2.0, before).map(|x| 0.5 * x);
             }
             for order in 0..6 {
-                let product = |row: usize| -> f64 {
-                    (0..=order).map(|place| known[place][row] * known[order - place][row]).sum()
-                };
+                let product =
+                    |row: usize| -> f64 { (0..=order).map(|k| known[k][row] * known[order - k][row]).sum() };
                 let lack = product(0) + product(1) - product(2);
                 assert!(lack.abs() < 1e-14, "{order}: {lack}");
             }

@@ -146,8 +146,8 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
         let norm = square.sqrt();
         let diagonal = -(largest.signum() * norm);
         put(&mut u, lead, largest - diagonal);
-        let place = self.leads.iter().position(|&i| i == lead).unwrap_or(k);
-        self.leads.swap(k, place);
+        let index = self.leads.iter().position(|&i| i == lead).unwrap_or(k);
+        self.leads.swap(k, index);
         let beta = (square + norm * largest.abs()).recip();
         for c in k + 1..C {
             let along = dot(&u, &rows[c]) * beta;
@@ -184,10 +184,10 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
             scale(&mut basis[k], self.inverse[k]);
         }
         let mut inverse = [[R::zero(); C]; N];
-        for ((vector, size), &place) in basis.iter().zip(&self.sizes).zip(&self.order).take(rank) {
+        for ((vector, size), &row_of) in basis.iter().zip(&self.sizes).zip(&self.order).take(rank) {
             let factor = size.recip();
             for (row, &x) in inverse.iter_mut().zip(vector) {
-                put(row, place, x * factor);
+                put(row, row_of, x * factor);
             }
         }
         Split { null: basis, inverse }

@@ -200,8 +200,8 @@ fn starts<const C: usize>(lists: &[&[usize]]) -> [usize; C] {
 
 /// Writes a component; nothing outside.
 #[inline(always)]
-fn set<R>(x: &mut [R], place: usize, value: R) {
-    if let Some(x) = x.get_mut(place) {
+fn set<R>(x: &mut [R], index: usize, value: R) {
+    if let Some(x) = x.get_mut(index) {
         *x = value;
     }
 }

@@ -67,9 +67,9 @@ pub(in crate::linear) fn transposed<R: Real, const I: usize, const J: usize>(
 
 /// A unit vector.
 #[inline(always)]
-pub(in crate::linear) fn unit<R: Real, const N: usize>(place: usize) -> [R; N] {
+pub(in crate::linear) fn unit<R: Real, const N: usize>(index: usize) -> [R; N] {
     let mut vector = [R::zero(); N];
-    put(&mut vector, place, R::one());
+    put(&mut vector, index, R::one());
     vector
 }
 
@@ -152,13 +152,13 @@ pub(in crate::linear) fn where_positive<R: Real>(value: R, excess: R) -> Option<
 ///
 /// A few entries are compared one by one, which keeps the array in registers.
 #[inline(always)]
-pub(in crate::linear) fn pick<R: Real, const N: usize>(row: &[R; N], place: usize) -> R {
+pub(in crate::linear) fn pick<R: Real, const N: usize>(row: &[R; N], index: usize) -> R {
     if N > 4 {
-        return row.get(place).copied().unwrap_or(R::zero());
+        return row.get(index).copied().unwrap_or(R::zero());
     }
     let mut entry = R::zero();
     for (i, &x) in row.iter().enumerate() {
-        if i == place {
+        if i == index {
             entry = x;
         }
     }
@@ -167,15 +167,15 @@ pub(in crate::linear) fn pick<R: Real, const N: usize>(row: &[R; N], place: usiz
 
 /// Writes the entry at an index known at run time only.
 #[inline(always)]
-pub(in crate::linear) fn put<T: Copy, const N: usize>(row: &mut [T; N], place: usize, entry: T) {
+pub(in crate::linear) fn put<T: Copy, const N: usize>(row: &mut [T; N], index: usize, entry: T) {
     if N > 4 {
-        if let Some(to) = row.get_mut(place) {
+        if let Some(to) = row.get_mut(index) {
             *to = entry;
         }
         return;
     }
     for (i, to) in row.iter_mut().enumerate() {
-        if i == place {
+        if i == index {
             *to = entry;
         }
     }
