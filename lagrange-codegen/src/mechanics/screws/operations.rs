@@ -13,7 +13,7 @@ const GIVEN: usize = 72;
 const RATES: usize = 132;
 /// What a coordinate does to the bodies that it moves.
 const COORDINATE: usize = 318;
-/// A coordinate with one of its group.
+/// A coordinate with another one of its group.
 const WITHIN: usize = 33;
 /// What a coordinate does, about the common point, and with those that move more bodies, [`LANES`] of them in
 /// one operation on vectors.

@@ -105,7 +105,7 @@ impl Cart {
         self.wheel(q, -self.track, q.right)
     }
 
-    /// It trails behind its pivot.
+    /// The castor trails behind its pivot.
     #[body(mass = 0.4, inertia = [0.001, 0.002, 0.001])]
     fn castor_wheel(&self, q: &Coordinates) -> Isometry3<f64> {
         let below = self.castor - self.radius;
