@@ -15,14 +15,14 @@ use crate::system::state::State;
 ///
 /// * Where the rows of A are clearly independent they follow from the equations at the state itself.
 /// * Where the rows all but depend on each other, the equations beside the constraints have poles: the
-/// distance of a state from the constraints changes its accelerations by the reciprocal of the distance of
-/// the rows. The accelerations are those of the nearest state on the constraints: as good a continuation of
-/// the equations, and a smooth one. It costs three factorisations instead of one, so it is left out where
-/// rows are only close: the check of the step's end sees the effect of poles there.
+///   distance of a state from the constraints changes its accelerations by the reciprocal of the distance of
+///   the rows. The accelerations are those of the nearest state on the constraints: as good a continuation of
+///   the equations, and a smooth one. It costs three factorisations instead of one, so it is left out where
+///   rows are only close: the check of the step's end sees the effect of poles there.
 /// * Rows that depend on each other wherever the constraints hold are independent beside them. Together they
-/// demand there what no motion can do. The nearest state on the constraints serves there too.
+///   demand there what no motion can do. The nearest state on the constraints serves there too.
 /// * In a configuration where rows lose their independence for a moment, they are interpolated between states
-/// before and after it, along the velocity: accelerations of the motion that goes straight on.
+///   before and after it, along the velocity: accelerations of the motion that goes straight on.
 #[inline]
 pub fn accelerations<S, const N: usize, const K: usize, const C: usize>(
     system: &S,

@@ -6,15 +6,15 @@
 //! that meets another number of the arithmetic:
 //!
 //! * Below **√ε** a row is dependent. What it alone restricts enters the constraint function by its square.
-//! So rounding errors of the function leave these coordinates uncertain by √ε already, and they hide
-//! everything that a linear row of less than √ε could tell. (Golub and Van Loan, "Matrix Computations", 4th
-//! ed., § 5.5, on numerical rank.)
+//!   So rounding errors of the function leave these coordinates uncertain by √ε already, and they hide
+//!   everything that a linear row of less than √ε could tell. (Golub and Van Loan, "Matrix Computations", 4th
+//!   ed., § 5.5, on numerical rank.)
 //! * Below **∜ε** a state is poorly determined: the direction of the motion, a derivative of the gradients,
-//! is known to ε/σ² only, which is √ε there, half of all digits. Steps do not end at such a state where they
-//! can end beside it.
+//!   is known to ε/σ² only, which is √ε there, half of all digits. Steps do not end at such a state where
+//!   they can end beside it.
 //! * From **a quarter** on rows are far apart. An error across the constraints then changes the direction by
-//! 1/σ² ≤ 16 times itself, which the check of a step allows anyway. Below that it is compared with its
-//! square.
+//!   1/σ² ≤ 16 times itself, which the check of a step allows anyway. Below that it is compared with its
+//!   square.
 
 use crate::number::real::Real;
 
