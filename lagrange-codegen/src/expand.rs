@@ -22,16 +22,25 @@ use crate::{eliminate, jets, lower, mechanics, regimes, syntax};
 /// path`. If the description has mistakes, the expansion has the messages about them, and as much of the
 /// user's item and of the generated ones that the compiler has nothing to add.
 pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> TokenStream {
-    expansion(args, item, default_crate, false)
+    expand_with(args, item, default_crate, Settings::default())
 }
 
-/// The same with the constants `EQUATIONS_LATEX` and `EQUATIONS_MATHML`, for tools that show equations.
-/// Otherwise only `analysis` adds them.
-pub fn expand_with_formulas(args: TokenStream, item: TokenStream, default_crate: &str) -> TokenStream {
-    expansion(args, item, default_crate, true)
+/// Settings of an expansion that tools and tests change.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Settings {
+    /// The constants `EQUATIONS_LATEX` and `EQUATIONS_MATHML`, which otherwise only `analysis` adds.
+    pub formulas: bool,
+    /// The fewest alike values that a loop computes, if other than usual.
+    pub least_loop: Option<usize>,
 }
 
-fn expansion(args: TokenStream, item: TokenStream, default_crate: &str, formulas: bool) -> TokenStream {
+/// Expands with settings.
+pub fn expand_with(
+    args: TokenStream,
+    item: TokenStream,
+    default_crate: &str,
+    settings: Settings,
+) -> TokenStream {
     let mut diagnostics = Diagnostics::new();
     // Tokens that are nested too deep must not reach code that recurses into expressions, not even to
     // recover.
@@ -43,7 +52,8 @@ fn expansion(args: TokenStream, item: TokenStream, default_crate: &str, formulas
     let attempt = || {
         parsed = syntax::parse(args, item.clone(), default_crate, &mut diagnostics);
         let parsed = parsed.as_mut()?;
-        parsed.formulas |= formulas;
+        parsed.formulas |= settings.formulas;
+        parsed.least_loop = settings.least_loop.unwrap_or(parsed.least_loop);
         try_expand(parsed, &mut diagnostics)
     };
     // A panic is a bug of the macro. It becomes an error on the attribute that asks for a report.
@@ -80,9 +90,16 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     let described = (!model.turning.is_empty()).then(|| model.clone());
     let turning = mechanics::turning(&mut model);
     eliminate::in_parameters(&mut model);
-    let equations = mechanics::derive(&mut model, &|lint| item.allows(lint), diagnostics)?;
+    let allows = |lint: &str| item.allows(lint);
+    // Whether anything beside the accelerations is made of the entries of the mass matrix.
+    let asks_for_mass = item.jacobians || item.analysis;
+    let mut equations = mechanics::derive(&mut model, asks_for_mass, &allows, diagnostics)?;
+    let mut before = as_derived(&mut model, &equations, diagnostics);
+    if before.is_none() {
+        equations = mechanics::derive(&mut model, true, &allows, diagnostics)?;
+        before = as_derived(&mut model, &equations, diagnostics);
+    }
     names_are_free(item, &model, &equations, diagnostics);
-    let before = as_derived(&mut model, &equations, diagnostics);
     if diagnostics.has_errors() {
         return None;
     }
@@ -91,7 +108,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     let turned = turning.map(|turning| equations.turned(&mut model, turning));
     let solved = turned.as_ref().unwrap_or(&equations);
     let of_solved = turned.as_ref().map_or_else(|| facts.clone(), |turned| Facts::of(&model, turned));
-    let solution = Solution::plan(&mut model, (&equations, &facts), (solved, &of_solved), diagnostics);
+    let solution = Solution::plan(&mut model, (&equations, &facts), (solved, &of_solved), diagnostics)?;
     if diagnostics.has_errors() {
         return None;
     }
@@ -116,7 +133,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
         orders: orders.as_ref(),
         method: None,
     };
-    Some(emit(emission, switching, before, diagnostics))
+    Some(emit(emission, switching, before?, diagnostics))
 }
 
 /// Reports functions of the user that are named like generated methods.
@@ -152,10 +169,11 @@ fn contacts_stand_alone(item: &Item, model: &Model, diagnostics: &mut Diagnostic
     }
 }
 
-/// Operations of the accelerations before anything is simplified, shared or hoisted, for `COST`.
-fn as_derived(model: &mut Model, equations: &Equations, diagnostics: &mut Diagnostics) -> Operations {
+/// Operations of the accelerations before anything is simplified, shared or hoisted, for `COST`. `None` if
+/// they need a mass matrix that is not formed.
+fn as_derived(model: &mut Model, equations: &Equations, diagnostics: &mut Diagnostics) -> Option<Operations> {
     let facts = Facts::of(model, equations);
     let told = (equations, &facts);
-    let solution = Solution::plan(model, told, told, diagnostics);
-    plan(&model.graph, &solution.roots(equations)).operations(true)
+    let solution = Solution::plan(model, told, told, diagnostics)?;
+    Some(plan(&model.graph, &solution.roots(equations)).operations(true))
 }

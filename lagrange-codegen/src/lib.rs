@@ -41,4 +41,4 @@ pub mod simplify;
 pub mod structure;
 pub mod syntax;
 
-pub use expand::{expand, expand_with_formulas};
+pub use expand::{Settings, expand, expand_with};

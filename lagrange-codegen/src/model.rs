@@ -114,6 +114,8 @@ pub struct Locals {
     pub auxiliaries: Vec<String>,
     /// Names of the multipliers.
     pub multipliers: Vec<String>,
+    /// The fewest alike values that stand in an array and are computed by a loop.
+    pub least: usize,
 }
 
 /// A scalar coordinate or input.

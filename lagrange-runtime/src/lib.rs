@@ -118,8 +118,8 @@ pub mod __private {
     pub mod solve {
         //! Solving for the accelerations.
         pub use crate::system::solve::{
-            are_finite, check, check_block, factor, finite, has_length, outlined, pivot, solve, symmetric,
-            unbounded,
+            are_finite, check, check_all, check_block, factor, finite, has_length, mass_of, outlined, pivot,
+            solve, symmetric, unbounded,
         };
     }
     pub use crate::analysis::{

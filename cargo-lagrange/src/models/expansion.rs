@@ -1,5 +1,6 @@
 //! The engine's expansion of a model: its constants as values, its methods as text.
 
+use lagrange_codegen::Settings;
 use syn::spanned::Spanned;
 use syn::visit::Visit;
 use syn::{Expr, ExprLit, ImplItem, ImplItemConst, Item, ItemImpl, ItemMacro, Lit};
@@ -55,8 +56,9 @@ impl Model {
     ///
     /// The messages of the macro.
     pub fn expand(&self, formulas: bool) -> Result<Expansion, Vec<Mistake>> {
-        let expand = if formulas { lagrange_codegen::expand_with_formulas } else { lagrange_codegen::expand };
-        let tokens = expand(self.arguments.clone(), self.block.clone(), "::lagrangian");
+        let settings = Settings { formulas, ..Settings::default() };
+        let (arguments, block) = (self.arguments.clone(), self.block.clone());
+        let tokens = lagrange_codegen::expand_with(arguments, block, "::lagrangian", settings);
         let at_attribute =
             |message: String| Mistake { file: self.file.clone(), line: self.line, column: 1, message };
         let file: syn::File = syn::parse2(tokens)

@@ -27,6 +27,9 @@ impl Degrees {
 
     fn product(self, other: Degrees) -> Degrees {
         let (Degrees::Polynomial(a), Degrees::Polynomial(b)) = (self, other) else { return Degrees::Other };
+        if a == 1 || b == 1 {
+            return Degrees::Polynomial(a * b);
+        }
         let parts = (0..BITS).filter(|&n| a >> n & 1 == 1).fold(0_u64, |parts, n| parts | u64::from(b) << n);
         if parts >> BITS == 0 { Degrees::Polynomial(parts as u32) } else { Degrees::Other }
     }
@@ -46,12 +49,16 @@ impl Degrees {
 
 /// The degrees of one expression in the velocities.
 pub fn velocity_degrees(graph: &Graph, root: NodeId) -> Degrees {
-    let cone = graph.cone([root]);
+    velocity_degrees_of(graph, &[root])[0]
+}
+
+/// The same of several.
+pub fn velocity_degrees_of(graph: &Graph, roots: &[NodeId]) -> Vec<Degrees> {
     let mut degrees = vec![Degrees::Polynomial(0); graph.len()];
-    for id in cone {
+    for id in graph.cone(roots.iter().copied()) {
         degrees[id.index()] = node_degrees(graph, id, |operand| degrees[operand.index()]);
     }
-    degrees[root.index()]
+    roots.iter().map(|root| degrees[root.index()]).collect()
 }
 
 /// The nodes below the root, ascending, that are not polynomials of at most the given degree.

@@ -14,7 +14,7 @@ mod substitute;
 #[cfg(test)]
 mod tests;
 
-pub use degree::{Degrees, beyond_degree, velocity_degrees};
+pub use degree::{Degrees, beyond_degree, velocity_degrees, velocity_degrees_of};
 pub use forward::{forward_operations, pushforward};
 pub use local::{binary as partial_derivatives, unary as derivative};
 pub use reverse::{pullback, pullback_to};

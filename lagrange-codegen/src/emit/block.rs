@@ -3,12 +3,21 @@
 //! The text is Rust. [`super::tokens`] parses it, which for large systems is many times faster than building
 //! tokens one by one in an unoptimised macro.
 
+mod elements;
+mod places;
+mod reads;
+mod rolled;
+
 use super::names::{Names, describe, variable_label};
 use super::scalar;
 use crate::expr::{Binary, Unary, Variable};
 use crate::model::Model;
 use crate::schedule::{Instruction, Program, Slot};
 use crate::syntax::Scalar;
+pub(super) use elements::{Element, Known, Values};
+use places::Places;
+pub(super) use reads::Reads;
+pub(super) use rolled::{Evaluation, Loops};
 
 /// The most characters of a right-hand side. Parts of longer ones get names.
 const WIDEST: usize = 84;
@@ -17,7 +26,13 @@ const WIDEST: usize = 84;
 const UNTYPED: usize = 400;
 
 /// The most coordinates of an array that is taken apart into named variables.
-pub(super) const NAMED: usize = 16;
+const NAMED: usize = 16;
+
+/// Whether an array of so many coordinates is taken apart into named variables. An array that loops may run
+/// over stays whole.
+pub(super) fn are_named(model: &Model, count: usize) -> bool {
+    count <= NAMED && count < model.locals.least
+}
 
 /// Binding strength of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -34,48 +49,22 @@ struct Text {
     strength: Strength,
 }
 
+impl Text {
+    fn atom(text: String) -> Text {
+        Text { text, strength: Strength::Atom }
+    }
+}
+
 /// The statements of one function body and the texts of its outputs.
 pub(super) struct Block {
     /// `let` statements, a line each.
     pub statements: Vec<String>,
     /// Expressions for the outputs.
-    pub outputs: Vec<String>,
-    /// Which variables the body reads.
+    pub outputs: Values,
+    /// The variables that the body reads.
     pub reads: Reads,
-}
-
-impl Reads {
-    /// Nothing is read.
-    pub fn none(model: &Model) -> Reads {
-        Reads {
-            coordinates: vec![false; model.coordinates.len()],
-            velocities: vec![false; model.coordinates.len()],
-            accelerations: vec![false; model.coordinates.len()],
-            inputs: vec![false; model.inputs.len()],
-            entries: vec![false; 9 * model.orientations.len()],
-            parameters: vec![false; model.parameters.len()],
-            time: false,
-        }
-    }
-}
-
-/// The variables that a body reads.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Reads {
-    /// By coordinate.
-    pub coordinates: Vec<bool>,
-    /// By coordinate.
-    pub velocities: Vec<bool>,
-    /// By coordinate.
-    pub accelerations: Vec<bool>,
-    /// By input.
-    pub inputs: Vec<bool>,
-    /// By orientation and entry of its matrix.
-    pub entries: Vec<bool>,
-    /// By parameter.
-    pub parameters: Vec<bool>,
-    /// Time.
-    pub time: bool,
+    /// The loops of the body.
+    pub loops: Loops,
 }
 
 /// Writes the part of a program that the outputs need. `given` has names for slots that are computed
@@ -85,12 +74,12 @@ pub(super) fn write(
     scalar: &Scalar,
     program: &Program,
     outputs: &[Slot],
-    given: &[(Slot, String)],
+    given: &[Known],
     names: &mut Names,
 ) -> Block {
     let mut writer = Writer::new(model, scalar, program, outputs, given);
     let statements = writer.part(outputs, names);
-    Block { statements, outputs: writer.outputs(outputs), reads: writer.reads }
+    Block { statements, outputs: writer.values(outputs), reads: writer.reads, loops: writer.loops }
 }
 
 /// Writes a program part by part. Later parts use the names that earlier parts have bound.
@@ -106,10 +95,16 @@ pub(super) struct Writer<'a> {
     texts: Vec<Option<Text>>,
     partner: Vec<Option<Slot>>,
     statements: Vec<String>,
+    /// Declarations of arrays.
+    arrays: Vec<String>,
+    /// The places of values that loops may read.
+    places: Places,
     /// The names that the present part assigns, if they are declared elsewhere.
     declared: Option<Vec<String>>,
     /// The variables that all parts so far read.
     pub reads: Reads,
+    /// The loops of all parts so far.
+    loops: Loops,
 }
 
 impl<'a> Writer<'a> {
@@ -119,11 +114,15 @@ impl<'a> Writer<'a> {
         scalar: &'a Scalar,
         program: &'a Program,
         outputs: &[Slot],
-        given: &[(Slot, String)],
+        given: &[Known],
     ) -> Self {
         let mut texts: Vec<Option<Text>> = vec![None; program.len()];
-        for (slot, name) in given {
-            texts[slot.index()] = Some(Text { text: name.clone(), strength: Strength::Atom });
+        let mut places = Places::of(model, program.len());
+        for Known { slot, text, place } in given {
+            texts[slot.index()] = Some(Text::atom(text.clone()));
+            if let Some((element, kind)) = place {
+                places.set(*slot, element, *kind);
+            }
         }
         // The walk from the outputs ends at what is given.
         let mut uses = vec![0; program.len()];
@@ -165,8 +164,11 @@ impl<'a> Writer<'a> {
             texts,
             partner,
             statements: Vec::new(),
+            arrays: Vec::new(),
+            places,
             declared: None,
             reads,
+            loops: Loops::default(),
         }
     }
 
@@ -182,10 +184,14 @@ impl<'a> Writer<'a> {
 
     /// The statements that some of the outputs need and no earlier part has.
     pub fn part(&mut self, outputs: &[Slot], names: &mut Names) -> Vec<String> {
-        for slot in reached(self.program, outputs, &self.texts) {
-            self.visit(slot, names);
+        let reached = reached(self.program, outputs, &self.texts);
+        // Names that are declared elsewhere are no arrays.
+        if self.declared.is_some() || !self.roll(&reached, names) {
+            reached.into_iter().for_each(|slot| self.visit(slot, names));
         }
-        std::mem::take(&mut self.statements)
+        let mut statements = std::mem::take(&mut self.arrays);
+        statements.append(&mut self.statements);
+        statements
     }
 
     /// The same as assignments, with the names that they assign.
@@ -216,6 +222,19 @@ impl<'a> Writer<'a> {
         slots.iter().map(|&slot| self.output(slot)).collect()
     }
 
+    /// Results with their places.
+    pub fn values(&self, slots: &[Slot]) -> Values {
+        let mut values = Values::none(self.model, self.scalar);
+        values.texts = self.outputs(slots);
+        values.elements = slots.iter().map(|&slot| self.places.element(self.program, slot)).collect();
+        values
+    }
+
+    /// Results as one array.
+    pub fn list(&self, slots: &[Slot]) -> String {
+        self.values(slots).list()
+    }
+
     /// Whether a part needs a result.
     pub fn needs(&self, slot: Slot) -> bool {
         self.uses[slot.index()] > 0
@@ -227,7 +246,7 @@ impl<'a> Writer<'a> {
     }
 
     fn text(&self, slot: Slot) -> Text {
-        self.texts[slot.index()].clone().unwrap_or(Text { text: String::new(), strength: Strength::Atom })
+        self.texts[slot.index()].clone().unwrap_or_else(|| Text::atom(String::new()))
     }
 
     fn visit(&mut self, slot: Slot, names: &mut Names) {
@@ -241,7 +260,7 @@ impl<'a> Writer<'a> {
             self.bind_sine_and_cosine(slot, partner, argument, names);
             return;
         }
-        let mut text = self.compose(instruction);
+        let mut text = self.compose(instruction, &self.operands(instruction));
         if !instruction.is_leaf() {
             let hinted = self.program.source(slot).is_some_and(|node| self.model.hints.name(node).is_some());
             let cheap = matches!(instruction, Instruction::Neg(a) if self.text(a).strength == Strength::Atom);
@@ -259,7 +278,7 @@ impl<'a> Writer<'a> {
         let annotation = if self.declared.is_some() { String::new() } else { self.annotation() };
         let to = self.binding(&[&name], format!("{name}{annotation}"));
         self.statements.push(format!("{to} = {};", text.text));
-        Text { text: name, strength: Strength::Atom }
+        Text::atom(name)
     }
 
     fn bind_sine_and_cosine(&mut self, slot: Slot, partner: Slot, argument: Slot, names: &mut Names) {
@@ -273,48 +292,48 @@ impl<'a> Writer<'a> {
         let to = self.binding(&[&sine_name, &cosine_name], format!("({sine_name}, {cosine_name})"));
         self.statements.push(format!("{to} = Real::sin_cos({angle});"));
         for (slot, name) in [(sine, sine_name), (cosine, cosine_name)] {
-            self.texts[slot.index()] = Some(Text { text: name, strength: Strength::Atom });
+            self.texts[slot.index()] = Some(Text::atom(name));
         }
     }
 
-    fn compose(&mut self, instruction: Instruction) -> Text {
-        let infix = |left: Text, operator: &str, right: Text, strength: Strength| Text {
-            text: format!("{} {operator} {}", within(left, strength), within_right(right, strength)),
-            strength,
+    fn operands(&self, instruction: Instruction) -> Vec<Text> {
+        let mut operands = Vec::new();
+        instruction.operands(|slot| operands.push(self.text(slot)));
+        operands
+    }
+
+    fn compose(&mut self, instruction: Instruction, operands: &[Text]) -> Text {
+        let infix = |operator: &str, strength: Strength| {
+            let [left, right] = [&operands[0], &operands[1]].map(Text::clone);
+            let text = format!("{} {operator} {}", within(left, strength), within_right(right, strength));
+            Text { text, strength }
         };
         match instruction {
-            Instruction::Variable(variable) => Text { text: self.read(variable), strength: Strength::Atom },
-            Instruction::Literal(number) => {
-                Text { text: scalar::literal(self.scalar, number, self.typed), strength: Strength::Atom }
+            Instruction::Variable(variable) => Text::atom(self.read(variable)),
+            Instruction::Literal(number) => Text::atom(scalar::literal(self.scalar, number, self.typed)),
+            Instruction::Add(..) => infix("+", Strength::Sum),
+            Instruction::Sub(..) => infix("-", Strength::Sum),
+            Instruction::Mul(..) => infix("*", Strength::Product),
+            Instruction::Div(..) => infix("/", Strength::Product),
+            Instruction::Neg(_) => {
+                let text = format!("-{}", within(operands[0].clone(), Strength::Atom));
+                Text { text, strength: Strength::Sign }
             }
-            Instruction::Add(a, b) => infix(self.text(a), "+", self.text(b), Strength::Sum),
-            Instruction::Sub(a, b) => infix(self.text(a), "-", self.text(b), Strength::Sum),
-            Instruction::Mul(a, b) => infix(self.text(a), "*", self.text(b), Strength::Product),
-            Instruction::Div(a, b) => infix(self.text(a), "/", self.text(b), Strength::Product),
-            Instruction::Neg(a) => {
-                Text { text: format!("-{}", within(self.text(a), Strength::Atom)), strength: Strength::Sign }
-            }
-            Instruction::Sqrt(a) => self.call("sqrt", &[a]),
-            Instruction::Recip(a) => self.call("recip", &[a]),
-            Instruction::MulAdd(a, b, c) => self.call("mul_add", &[a, b, c]),
+            Instruction::Sqrt(_) => call("sqrt", operands),
+            Instruction::Recip(_) => call("recip", operands),
+            Instruction::MulAdd(..) => call("mul_add", operands),
             // The writer has the name that was given for it.
-            Instruction::Given(_) => Text { text: String::new(), strength: Strength::Atom },
-            Instruction::Unary(function, a) => self.call(function.name(), &[a]),
-            Instruction::Binary(Binary::Pivot, a, b) => {
-                let text = format!("lagrange::solve::pivot({}, {})", self.text(a).text, self.text(b).text);
-                Text { text, strength: Strength::Atom }
+            Instruction::Given(_) => Text::atom(String::new()),
+            Instruction::Unary(function, _) => call(function.name(), operands),
+            Instruction::Binary(Binary::Pivot, ..) => {
+                Text::atom(format!("lagrange::solve::pivot({}, {})", operands[0].text, operands[1].text))
             }
-            Instruction::Binary(function, a, b) => self.call(function.name(), &[a, b]),
+            Instruction::Binary(function, ..) => call(function.name(), operands),
         }
-    }
-
-    fn call(&self, function: &str, arguments: &[Slot]) -> Text {
-        let arguments: Vec<String> = arguments.iter().map(|&slot| self.text(slot).text).collect();
-        Text { text: format!("Real::{function}({})", arguments.join(", ")), strength: Strength::Atom }
     }
 
     fn read(&mut self, variable: Variable) -> String {
-        let many = self.model.coordinates.len() > NAMED;
+        let many = !are_named(self.model, self.model.coordinates.len());
         match variable {
             Variable::Coordinate(i) => {
                 self.reads.coordinates[i as usize] = true;
@@ -337,7 +356,7 @@ impl<'a> Writer<'a> {
             Variable::Time => self.reads.time = true,
             Variable::Input(i) => {
                 self.reads.inputs[i as usize] = true;
-                if self.model.inputs.len() > NAMED {
+                if !are_named(self.model, self.model.inputs.len()) {
                     return format!("u[{i}]");
                 }
             }
@@ -363,6 +382,11 @@ fn reached(program: &Program, outputs: &[Slot], texts: &[Option<Text>]) -> Vec<S
     }
     needed.sort_unstable();
     needed
+}
+
+fn call(function: &str, operands: &[Text]) -> Text {
+    let operands: Vec<&str> = operands.iter().map(|operand| operand.text.as_str()).collect();
+    Text::atom(format!("Real::{function}({})", operands.join(", ")))
 }
 
 fn within(text: Text, strength: Strength) -> String {

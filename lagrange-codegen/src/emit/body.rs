@@ -1,7 +1,7 @@
 //! Function bodies: variables taken apart, statements, result.
 
 use super::Emission;
-use super::block::{self, Block, NAMED, Reads};
+use super::block::{self, Block, Element, Known, Reads, Values, are_named};
 use super::names::{Names, variable_label};
 use super::tokens::placeholder;
 use crate::expr::{NodeId, Variable};
@@ -28,7 +28,7 @@ pub(super) fn plain(
     scalar: &Scalar,
     roots: &[NodeId],
     source: Source,
-    result: impl FnOnce(&[String]) -> String,
+    result: impl FnOnce(&Values) -> String,
 ) -> String {
     let program = plan(&model.graph, roots);
     let mut names = Names::new(model);
@@ -43,26 +43,43 @@ pub(super) fn plain(
 pub(super) fn simplified(
     emission: &mut Emission<'_>,
     nodes: &[NodeId],
-    result: impl FnOnce(&[String]) -> String,
+    result: impl FnOnce(&Values) -> String,
 ) -> String {
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
     plain(emission.model, &emission.scalar, &nodes, Source::Slices, result)
 }
 
-/// The part of a program that depends on parameters alone: names of the results that others need, and the
-/// body.
-pub(super) fn constants(
+/// The body that computes the part of a program that depends on parameters alone.
+pub(super) fn constants(model: &Model, scalar: &Scalar, program: &Program, hoisted: &[Slot]) -> Block {
+    block::write(model, scalar, program, hoisted, &[], &mut Names::new(model))
+}
+
+/// The most constants that get names. More of them stay in their array.
+const MOST_LABELS: usize = 64;
+
+/// The texts of the constants in a body, and the statement that takes them apart. `factored` tells whether
+/// factorisations stand beside them.
+pub(super) fn labels(
     model: &Model,
-    scalar: &Scalar,
     program: &Program,
     hoisted: &[Slot],
+    factored: bool,
     names: &mut Names,
-) -> (Vec<String>, Block) {
-    let mut inner = Names::new(model);
-    let block = block::write(model, scalar, program, hoisted, &[], &mut inner);
-    let labels =
-        hoisted.iter().map(|&slot| names.claim(super::names::describe(model, program, slot, 0))).collect();
-    (labels, block)
+) -> (String, Vec<Known>) {
+    let (array, value) = if factored { ("constants.0", "constants.0") } else { ("constants", "*constants") };
+    if hoisted.len() > MOST_LABELS {
+        let element = |(index, &slot): (usize, &Slot)| {
+            let (array, length) = (array.to_owned(), hoisted.len());
+            Known::element(slot, Element { array, length, index: index as i64 }, 0)
+        };
+        return (String::new(), hoisted.iter().enumerate().map(element).collect());
+    }
+    let label =
+        |&slot: &Slot| Known::named(slot, names.claim(super::names::describe(model, program, slot, 0)));
+    let known: Vec<Known> = hoisted.iter().map(label).collect();
+    let labels: Vec<&str> = known.iter().map(|known| known.text.as_str()).collect();
+    let statement = format!("let [{}] = {value};\n", labels.join(", "));
+    (if labels.is_empty() { String::new() } else { statement }, known)
 }
 
 /// Statements, a line each.
@@ -156,7 +173,7 @@ fn take_apart(
     place: &str,
     source: Source,
 ) -> String {
-    match (read.contains(&true), read.len() > NAMED, source) {
+    match (read.contains(&true), !are_named(model, read.len()), source) {
         (false, ..) | (true, true, Source::Slices | Source::Numbers) => String::new(),
         (true, true, Source::State) => format!("let {short} = &{place};\n"),
         (true, false, _) => {

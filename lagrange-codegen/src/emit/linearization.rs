@@ -1,6 +1,7 @@
 //! The implementations of the runtime's `Linearized`, `Tangent` and `Parametric`, which the attribute's
 //! `jacobians` adds.
 
+use super::block::Values;
 use super::body::{self, Source};
 use super::names::{Names, name_accelerations};
 use super::{Emission, block, scalar, screws};
@@ -80,8 +81,7 @@ fn free(
             (bodies.residual_at, bodies.linearization_at, Some(bodies.factored_at))
         }
         None => {
-            let residual =
-                body::simplified(emission, &forces.values, |values| format!("[{}]", values.join(", ")));
+            let residual = body::simplified(emission, &forces.values, Values::list);
             let roots = [mass(emission), derivatives].concat();
             (residual, body::simplified(emission, &roots, |values| dense(&zero, count, values)), None)
         }
@@ -287,7 +287,7 @@ fn flat(rows: Vec<Vec<NodeId>>) -> Vec<NodeId> {
 fn mass(emission: &Emission<'_>) -> Vec<NodeId> {
     let count = emission.count();
     let full = |i: usize| (0..count).map(move |j| (i.max(j), i.min(j)));
-    (0..count).flat_map(full).map(|(i, j)| emission.equations.mass[i][j]).collect()
+    (0..count).flat_map(full).map(|(i, j)| emission.equations.mass.rows()[i][j]).collect()
 }
 
 /// A body that computes some nodes at a `Place`.

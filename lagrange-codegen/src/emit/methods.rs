@@ -1,9 +1,11 @@
 //! The inherent methods. Each is usable on its own, and those that a program does not call are not linked.
 
+use super::block::Values;
 use super::body::{self, Source};
 use super::equations::Sides;
 use super::{Emission, docs, eliminated, oriented};
 use crate::expr::{Dependence, NodeId};
+use crate::mechanics::MassMatrix;
 use crate::simplify::simplify;
 
 /// The methods that every expansion has.
@@ -123,29 +125,25 @@ fn accelerations(emission: &Emission<'_>) -> String {
 }
 
 pub(super) fn mass_matrix(emission: &mut Emission<'_>) -> String {
-    let count = emission.count();
-    let mut entries: Vec<NodeId> = Vec::with_capacity(count * (count + 1) / 2);
-    for row in &emission.equations.mass {
-        entries.extend(row.iter().copied());
-    }
+    let doc = "Mass matrix M = ∂²L/∂v∂v, symmetric, rows and columns in the order of the coordinates.";
+    let (count, scalar) = (emission.count(), emission.scalar.clone());
+    let signature = |arguments: String| {
+        format!("mass_matrix({arguments}) -> lagrange::nalgebra::SMatrix<{scalar}, {count}, {count}>")
+    };
+    let MassMatrix::Formed(rows) = &emission.equations.mass else {
+        // Its columns are the momenta of unit velocities: code for each entry would grow with their number.
+        let body = "lagrange::solve::mass_of(|&v| self.momenta(&lagrange::State { v, ..*state }))";
+        return method(doc, &signature(arguments(emission, &emission.equations.momenta.clone())), body);
+    };
+    let entries: Vec<NodeId> = rows.iter().flatten().copied().collect();
     let entries = simplify(&mut emission.model.graph, &mut emission.model.hints, &entries);
-    let signature = format!(
-        "mass_matrix({}) -> lagrange::nalgebra::SMatrix<{}, {count}, {count}>",
-        arguments(emission, &entries),
-        emission.scalar
-    );
-    let scalar = &emission.scalar;
-    let body = body::plain(emission.model, scalar, &entries, Source::State, |values| {
-        if let [single] = values {
+    let body = body::plain(emission.model, &scalar, &entries, Source::State, |values| {
+        if let [single] = &values[..] {
             return format!("lagrange::solve::symmetric([[{single}]])");
         }
-        body::lower_triangle(scalar, count, values) + "lagrange::solve::symmetric(mass)"
+        body::lower_triangle(&scalar, count, values) + "lagrange::solve::symmetric(mass)"
     });
-    method(
-        "Mass matrix M = ∂²L/∂v∂v, symmetric, rows and columns in the order of the coordinates.",
-        &signature,
-        &body,
-    )
+    method(doc, &signature(arguments(emission, &entries)), &body)
 }
 
 fn vector(
@@ -158,9 +156,7 @@ fn vector(
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
     let doc = format!("{doc}{}", docs::equations(emission.model, symbol, &nodes));
     let signature = format!("{name}({}) -> {}", arguments(emission, &nodes), emission.vector_type());
-    let body = body::plain(emission.model, &emission.scalar, &nodes, Source::State, |values| {
-        format!("[{}]", values.join(", "))
-    });
+    let body = body::plain(emission.model, &emission.scalar, &nodes, Source::State, Values::list);
     (method(&doc, &signature, &body), nodes)
 }
 

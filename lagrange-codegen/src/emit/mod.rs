@@ -109,13 +109,13 @@ pub(crate) fn emit(
     before: Operations,
     diagnostics: &Diagnostics,
 ) -> TokenStream {
-    emission.model.locals = names::locals(emission.model);
+    emission.model.locals = names::locals(emission.model, emission.item.least_loop);
     emission.method = switching.as_ref().map(regimes::method);
     let has_contacts = switching.as_ref().is_some_and(Regimes::has_contacts);
     let (system, constants, surface, after) = match emission.solution.saddle {
         Some(method) => {
             let all = constraints::system(&mut emission, method);
-            (all.system, all.constants, Some(all.surface), all.operations)
+            (all.system, all.constants, Some(all.surface), all.evaluation)
         }
         None => {
             let (system, after) = system::system(&mut emission);
@@ -159,7 +159,7 @@ pub(crate) fn emit(
         methods.push_str(&written.formulas(emission.model));
     }
     let page = emission.item.analysis.then(|| {
-        let page = equations::page(&mut emission, &written, after);
+        let page = equations::page(&mut emission, &written, after.operations);
         quote!(#[doc = #page])
     });
     let parameters = tokens::Parameters::new(emission.model, diagnostics);

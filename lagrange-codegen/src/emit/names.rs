@@ -38,6 +38,8 @@ const RESERVED: &[&str] = &[
     "h",
     "rate",
     "index",
+    "i",
+    "list",
     "order",
     "orders",
     "inner",
@@ -101,7 +103,7 @@ impl Names {
 
 /// The local names of all variables: the user's own if possible, no two alike, and none that a body uses
 /// otherwise.
-pub(super) fn locals(model: &Model) -> Locals {
+pub(super) fn locals(model: &Model, least: usize) -> Locals {
     let mut taken: BTreeSet<String> = RESERVED.iter().map(|&name| name.to_owned()).collect();
     let mut claim = |label: String| {
         // In a pattern, a constant's name would be compared with instead of bound.
@@ -135,6 +137,7 @@ pub(super) fn locals(model: &Model) -> Locals {
         entries,
         auxiliaries: Vec::new(),
         multipliers,
+        least,
     }
 }
 
@@ -191,6 +194,12 @@ pub(super) fn describe(model: &Model, program: &Program, slot: Slot, depth: u32)
         Instruction::Binary(function, a, b) => format!("{}_{}_{}", function.name(), of(a)?, of(b)?),
     };
     (name.len() <= LONGEST).then_some(name)
+}
+
+/// A name for an array, from the name of one of its elements.
+pub(super) fn without_number(name: &str) -> String {
+    let is_number = |word: &&str| !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_digit());
+    name.split('_').filter(|word| !is_number(word)).collect::<Vec<_>>().join("_")
 }
 
 /// The wish, with each character replaced that an identifier cannot have.

@@ -68,7 +68,7 @@ impl Part<NodeId> {
         };
         let lower = |row: usize| block.coordinates[..=row].iter().map(move |&j| (block.coordinates[row], j));
         let entries =
-            (0..coordinates.len()).flat_map(lower).map(|(i, j)| emission.solved.mass[i][j]).collect();
+            (0..coordinates.len()).flat_map(lower).map(|(i, j)| emission.solved.mass.rows()[i][j]).collect();
         let results = coordinates.iter().map(|&i| emission.solved.force[i]).collect();
         Part { coordinates, kind: Kind::Runtime { factor, constant }, entries, results }
     }

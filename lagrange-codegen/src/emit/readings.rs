@@ -22,7 +22,6 @@ pub(super) fn implementation(emission: &mut Emission<'_>) -> String {
     nodes.extend(readings.iter().flat_map(|reading| reading.sizes.iter().copied()));
     let (state, inputs) = (emission.state_type(), emission.input_type());
     let body = body::plain(emission.model, &emission.item.scalar, &nodes, Source::State, |values| {
-        let (read, sizes) = values.split_at(count);
         let mut next = 0;
         let mut text = format!("use lagrange::reading::Numbers;\n{}", records(emission, &readings));
         for reading in &readings {
@@ -36,9 +35,9 @@ pub(super) fn implementation(emission: &mut Emission<'_>) -> String {
                 None => (function.name.to_string(), call(function)),
             };
             text.push_str(&format!(
-                "lagrange::reading::compare(lagrange::Function(&[{name:?}, lagrange::reading::MISREAD]), |take| {found}.each_number(take), &[{}], &[{}])?;\n",
-                read[range.clone()].join(", "),
-                sizes[range].join(", "),
+                "lagrange::reading::compare(lagrange::Function(&[{name:?}, lagrange::reading::MISREAD]), |take| {found}.each_number(take), &{}, &{})?;\n",
+                values.part(range.clone()).list(),
+                values.part(count + range.start..count + range.end).list(),
             ));
         }
         text + "::core::result::Result::Ok(())"

@@ -96,7 +96,7 @@ pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items
 
 /// The items of `Switching` over the scalar of `emission`.
 pub(super) fn switching(emission: &Emission<'_>, switching: &mut Regimes) -> String {
-    switching.model.locals = names::locals(&switching.model);
+    switching.model.locals = names::locals(&switching.model, emission.item.least_loop);
     let items = [
         regime(emission, switching),
         laws(emission, switching),
@@ -240,7 +240,7 @@ fn laws(emission: &Emission<'_>, switching: &mut Regimes) -> String {
         ("kink_sizes", sizes(&mut switching.rows.graph, &switching.kinks)),
     ];
     let roots: Vec<NodeId> = lists.iter().flat_map(|(_, nodes)| nodes.iter().copied()).collect();
-    switching.rows.locals = names::locals(&switching.rows);
+    switching.rows.locals = names::locals(&switching.rows, emission.item.least_loop);
     let body = body::plain(&switching.rows, scalar, &roots, Source::Slices, |values| {
         let mut values = values.iter().cloned();
         let fields: Vec<String> = lists

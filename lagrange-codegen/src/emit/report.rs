@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::block::Evaluation;
 use super::{Emission, regimes, turning};
 use crate::regimes::LOAD;
 use crate::regimes::Regimes;
@@ -14,13 +15,13 @@ pub(super) fn report(
     emission: &Emission<'_>,
     switching: Option<&Regimes>,
     before: Operations,
-    after: Operations,
+    after: Evaluation,
 ) -> TokenStream {
     let cost = |operations: Operations| {
         let Operations { additions, multiplications, divisions, square_roots, functions } = operations;
         quote!(lagrange::Cost::new(#additions, #multiplications, #divisions, #square_roots, #functions))
     };
-    let (before, after) = (cost(before), cost(after));
+    let (before, emitted) = (cost(before), cost(after.operations));
     let mass_matrix = match switching.filter(|switching| switching.has_contacts()) {
         Some(switching) => switching.solution.describe(),
         None => emission.solution.describe(),
@@ -50,6 +51,7 @@ pub(super) fn report(
             facts.push("not smooth: a function has a kink or a jump, so there is no Taylor series".to_owned())
         }
     }
+    facts.extend(after.loops.describe());
     facts.extend(switching.into_iter().flat_map(regimes::facts));
     let coordinates: Vec<String> =
         emission.model.coordinates.iter().map(|quantity| quantity.written()).collect();
@@ -72,7 +74,7 @@ pub(super) fn report(
 
         /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
         /// computed once per run, and a factorisation in the runtime, are not counted.
-        pub const COST: lagrange::Costs = lagrange::Costs { before: #before, after: #after };
+        pub const COST: lagrange::Costs = lagrange::Costs { before: #before, after: #emitted };
 
         /// What was found in this system, and what its code therefore leaves out.
         pub const STRUCTURE: lagrange::Structure = lagrange::Structure {

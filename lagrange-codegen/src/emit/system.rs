@@ -1,15 +1,15 @@
 //! The implementation of the runtime's `System`, on which the integrators call.
 
 use super::Emission;
-use super::block;
+use super::block::{self, Evaluation, Known, Loops, Values};
 use super::body::{self, Source};
 use super::names::Names;
 use super::parts::{Kind, Part};
 use super::turning;
 use crate::expr::NodeId;
-use crate::schedule::{Operations, Program, Slot, plan};
+use crate::schedule::{Program, Slot, plan};
 use crate::simplify::simplify;
-use crate::structure::Method;
+use crate::structure::{Method, Pivot};
 
 /// A state from the arguments of the trait's functions, for the inherent methods.
 const STATE: &str = "lagrange::State { t, q: *q, v: *v }";
@@ -17,8 +17,8 @@ const STATE: &str = "lagrange::State { t, q: *q, v: *v }";
 /// The items of a system that has nothing to compute once per run.
 pub(super) const NO_CONSTANTS: &str = "type Constants = ();\nfn constants(&self) {}\n";
 
-/// The trait's items as text, and the operations of one evaluation of the accelerations.
-pub(super) fn system(emission: &mut Emission<'_>) -> (String, Operations) {
+/// The trait's items as text, and the evaluation of the accelerations.
+pub(super) fn system(emission: &mut Emission<'_>) -> (String, Evaluation) {
     let parts = Part::all(emission);
     let mut nodes: Vec<NodeId> = Vec::new();
     for part in parts.iter().cloned() {
@@ -38,8 +38,10 @@ pub(super) fn system(emission: &mut Emission<'_>) -> (String, Operations) {
 
     let mut names = Names::new(emission.model);
     let hoisted = program.hoisted();
-    let (labels, constants) = constants(emission, &program, &hoisted, &parts, &mut names);
-    let accelerations = accelerations(emission, &program, &hoisted, &labels, parts, &mut names);
+    let once = parts.iter().any(Part::factored_once);
+    let (labels, given) = body::labels(emission.model, &program, &hoisted, once, &mut names);
+    let constants = constants(emission, &program, &hoisted, &parts);
+    let (accelerations, loops) = accelerations(emission, &program, (labels, given), parts, &mut names);
     let check = check(emission);
 
     let scalar = &emission.scalar;
@@ -77,7 +79,7 @@ pub(super) fn system(emission: &mut Emission<'_>) -> (String, Operations) {
         "#[inline]\nfn energy_at(&self, _constants: &Self::Constants, t: {scalar}, q: &{vector}, v: &{vector}) -> {scalar} \
          {{\nself.energy(&{STATE})\n}}\n"
     ));
-    (text, program.operations(false))
+    (text, Evaluation { operations: program.operations(false), loops })
 }
 
 /// Names of the values that are computed once per run, and the type and body of the constants: an array of
@@ -87,12 +89,11 @@ fn constants(
     program: &Program,
     hoisted: &[Slot],
     parts: &[Part<Slot>],
-    names: &mut Names,
-) -> (Vec<String>, (String, String)) {
+) -> (String, String) {
     let (model, scalar) = (&*emission.model, &emission.scalar);
-    let (labels, fixed) = body::constants(model, scalar, program, hoisted, names);
+    let fixed = body::constants(model, scalar, program, hoisted);
     let mut types = vec![format!("[{scalar}; {}]", hoisted.len())];
-    let mut values = vec![format!("[{}]", fixed.outputs.join(", "))];
+    let mut values = vec![fixed.outputs.list()];
     for part in parts.iter().filter(|part| part.factored_once()) {
         let Kind::Runtime { factor, .. } = part.kind else { continue };
         let written = block::write(model, scalar, program, &part.entries, &[], &mut Names::new(model));
@@ -111,76 +112,65 @@ fn constants(
     };
     let parameters = body::parameters(model, scalar, &fixed.reads);
     let text = body::imported(format!("{parameters}{}{}", body::assemble(&fixed), tuple(&values)));
-    (labels, (tuple(&types), text))
+    (tuple(&types), text)
 }
 
 fn accelerations(
     emission: &Emission<'_>,
     program: &Program,
-    hoisted: &[Slot],
-    labels: &[String],
+    (labels, given): (String, Vec<Known>),
     parts: Vec<Part<Slot>>,
     names: &mut Names,
-) -> String {
+) -> (String, Loops) {
     let (model, scalar) = (&*emission.model, &emission.scalar);
-    let given: Vec<(Slot, String)> = hoisted.iter().copied().zip(labels.iter().cloned()).collect();
     let written = block::write(model, scalar, program, &program.outputs, &given, names);
-    let once = parts.iter().any(Part::factored_once);
     let (entry, door) = turning::accelerations(emission);
     let mut text = entry + &body::prologue(model, scalar, &written.reads, Source::Slices);
-    if !labels.is_empty() {
-        let place = if once { "constants.0" } else { "*constants" };
-        text.push_str(&format!("let [{}] = {place};\n", labels.join(", ")));
-    }
+    text.push_str(&labels);
     text.push_str(&body::assemble(&written));
 
-    let mut outputs = written.outputs.into_iter();
-    let mut next = || outputs.next().expect("emit: as many texts as slots");
-    let mut solution = vec![String::new(); emission.count()];
+    let mut outputs = written.outputs;
+    let mut solution = Values::none(model, scalar);
+    let mut places = Vec::with_capacity(emission.count());
     let mut factored = 0;
-    for mut part in parts {
-        if part.factored_once() {
-            factored += 1;
-            part.entries.clear();
-        }
-        let part = part.map(|_| next());
-        let results = match part.kind {
-            Kind::WrittenOut => part.results,
-            Kind::Runtime { factor, constant } => {
-                let count = part.coordinates.len();
-                let factorisation = if constant {
-                    format!("constants.{factored}")
-                } else {
-                    text.push_str(&body::lower_triangle(scalar, count, &part.entries));
-                    format!("lagrange::solve::factor::<lagrange::{factor}<{scalar}, {count}>, _, _>(mass)")
-                };
-                let claim = |&i: &usize| names.claim(Some(format!("{}_ddot", model.coordinates[i].label())));
-                let results: Vec<String> = part.coordinates.iter().map(claim).collect();
-                text.push_str(&format!(
-                    "let [{}] = lagrange::solve::solve(&{factorisation}, [{}]);\n",
-                    results.join(", "),
-                    part.results.join(", ")
-                ));
-                results
-            }
+    for part in parts {
+        let entries = outputs.take(if part.factored_once() { 0 } else { part.entries.len() });
+        let results = outputs.take(part.results.len());
+        places.extend(&part.coordinates);
+        let Kind::Runtime { factor, constant } = part.kind else {
+            solution.append(results);
+            continue;
         };
-        for (&coordinate, result) in part.coordinates.iter().zip(results) {
-            solution[coordinate] = result;
-        }
+        let count = part.coordinates.len();
+        let factorisation = if constant {
+            factored += 1;
+            format!("constants.{factored}")
+        } else {
+            text.push_str(&body::lower_triangle(scalar, count, &entries));
+            format!("lagrange::solve::factor::<lagrange::{factor}<{scalar}, {count}>, _, _>(mass)")
+        };
+        let wish = |&i: &usize| Some(format!("{}_ddot", model.coordinates[i].label()));
+        let (solved, values) =
+            Values::none(model, scalar).bound(names, part.coordinates.iter().map(wish).collect());
+        text.push_str(&format!(
+            "let {solved} = lagrange::solve::solve(&{factorisation}, {});\n",
+            results.list()
+        ));
+        solution.append(values);
     }
-    text.push_str(&door(format!("[{}]", solution.join(", "))));
-    body::imported(text)
+    text.push_str(&door(solution.placed(&places).list()));
+    (body::imported(text), written.loops)
 }
 
 /// The body that finds the singular block, if any block can be singular.
 fn check(emission: &mut Emission<'_>) -> Option<String> {
-    let mut nodes = Vec::new();
+    let mut pivots: Vec<Pivot> = Vec::new();
     let mut factored = String::new();
     let count = emission.count();
     for block in &emission.solution.blocks {
         let factor = match &block.method {
-            Method::WrittenOut { pivots, .. } | Method::Recursive { pivots, .. } => {
-                nodes.extend(pivots.iter().flat_map(|pivot| [pivot.value, pivot.scale]));
+            Method::WrittenOut { pivots: own, .. } | Method::Recursive { pivots: own, .. } => {
+                pivots.extend(own);
                 continue;
             }
             Method::Ldlt => "Ldlt",
@@ -193,32 +183,29 @@ fn check(emission: &mut Emission<'_>) -> Option<String> {
             coordinates.join(", ")
         ));
     }
-    if nodes.is_empty() && factored.is_empty() {
+    if pivots.is_empty() && factored.is_empty() {
         return None;
     }
     if !factored.is_empty() {
         factored.insert_str(0, &format!("let mass = self.mass_matrix(&{STATE});\n"));
     }
+    let nodes: Vec<NodeId> =
+        pivots.iter().map(|pivot| pivot.value).chain(pivots.iter().map(|pivot| pivot.scale)).collect();
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, &nodes);
-    let coordinates: Vec<usize> = emission
-        .solution
-        .blocks
-        .iter()
-        .filter_map(|block| match &block.method {
-            Method::WrittenOut { pivots, .. } | Method::Recursive { pivots, .. } => {
-                Some(pivots.iter().map(|pivot| pivot.coordinate))
-            }
-            Method::Ldlt | Method::Lu => None,
-        })
-        .flatten()
-        .collect();
-    let pivots = body::plain(emission.model, &emission.scalar, &nodes, Source::Slices, |values| {
-        let pivots = values.chunks(2).zip(coordinates).map(|(pair, coordinate)| {
-            format!("lagrange::solve::check({}, {coordinate})?;\n", pair.join(", "))
-        });
-        pivots.collect::<String>() + "::core::result::Result::Ok(())"
+    let is_long = pivots.len() >= emission.model.locals.least;
+    let checked = body::plain(emission.model, &emission.scalar, &nodes, Source::Slices, |values| {
+        let (all, count) = (pivots.iter().map(|pivot| pivot.coordinate), pivots.len());
+        if is_long {
+            let (own, scales) = (values.part(0..count).list(), values.part(count..2 * count).list());
+            let coordinates: Vec<usize> = all.collect();
+            return format!("lagrange::solve::check_all(&{own}, &{scales}, &{coordinates:?})");
+        }
+        let check = |(i, coordinate): (usize, usize)| {
+            format!("lagrange::solve::check({}, {}, {coordinate})?;\n", values[i], values[count + i])
+        };
+        all.enumerate().map(check).collect::<String>() + "::core::result::Result::Ok(())"
     });
-    Some(factored + &turning::entry(emission) + &pivots)
+    Some(factored + &turning::entry(emission) + &checked)
 }
 
 /// Whether a body mentions an identifier.

@@ -39,7 +39,7 @@ fn declared(model: &mut Model) -> (Vec<Quantity>, Locals) {
         all.insert(eliminated.declared_index, eliminated.quantity.clone());
     }
     let coordinates = std::mem::replace(&mut model.coordinates, all);
-    let locals = names::locals(model);
+    let locals = names::locals(model, model.locals.least);
     (coordinates, std::mem::replace(&mut model.locals, locals))
 }
 

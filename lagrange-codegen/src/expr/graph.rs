@@ -128,6 +128,9 @@ pub struct Graph {
     marks: RefCell<Marks>,
 }
 
+/// The most nodes from the first to the last of a set, per node of the set, at which they are close together.
+const CLOSE: usize = 4;
+
 /// Which nodes the current walk has seen: a mark is valid for one walk only, so that a walk
 /// costs in proportion to what it visits, not to the whole arena.
 #[derive(Clone, Debug, Default)]
@@ -238,7 +241,17 @@ impl Graph {
                 self.operands(id, |operand| stack.push(operand));
             }
         }
-        cone.sort_unstable();
+        // If nodes are close together, a look at all nodes between them is quicker than sorting.
+        let ends =
+            cone.iter().min().zip(cone.iter().max()).map(|(first, last)| (first.index(), last.index()));
+        match ends {
+            Some((first, last)) if last - first < CLOSE * cone.len() => {
+                cone.clear();
+                let marks = (first as u32..).zip(&seen[first..=last]);
+                cone.extend(marks.filter(|&(_, mark)| mark == walk).map(|(id, _)| NodeId(id)));
+            }
+            _ => cone.sort_unstable(),
+        }
         cone
     }
 

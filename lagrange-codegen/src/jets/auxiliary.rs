@@ -63,7 +63,9 @@ pub enum Relation<T> {
 pub(super) struct Rewriter<'g> {
     pub graph: &'g mut Graph,
     /// The direction (v, 0, 1) of (q, v, t).
-    pub direction: Vec<(NodeId, NodeId)>,
+    direction: Vec<(NodeId, NodeId)>,
+    /// The rate of each variable.
+    pub rates: Lookup<NodeId, NodeId>,
     images: Lookup<NodeId, NodeId>,
     powers: Lookup<(NodeId, Exponent), NodeId>,
     pub auxiliaries: Vec<Auxiliary>,
@@ -77,9 +79,12 @@ impl<'g> Rewriter<'g> {
     /// A rewriter for a system with `coordinates`. The matrices of the orientations `turning` are variables.
     pub fn new(graph: &'g mut Graph, coordinates: usize, turning: &[usize]) -> Self {
         let direction = turning_direction(graph, coordinates, turning);
+        let mut rates = Lookup::default();
+        direction.iter().for_each(|&(variable, rate)| _ = rates.insert(variable, rate));
         Rewriter {
             graph,
             direction,
+            rates,
             images: Lookup::default(),
             powers: Lookup::default(),
             auxiliaries: Vec::new(),
@@ -151,6 +156,9 @@ impl<'g> Rewriter<'g> {
     /// Whether a node is 0 wherever the system is at rest. Such is the speed in a drag force, whose root has
     /// a kink at rest.
     fn rests_at_zero(&mut self, id: NodeId) -> bool {
+        if !self.graph.dependence(id).meets(Dependence::VELOCITIES) {
+            return self.graph.is_zero(id);
+        }
         let zero = self.graph.zero();
         let velocities: Vec<_> = self
             .direction
@@ -268,9 +276,7 @@ impl<'g> Rewriter<'g> {
 
     /// The time derivatives of the arguments of functions at zero accelerations.
     fn rates(&mut self, arguments: &[NodeId]) -> Vec<NodeId> {
-        let known = |argument: &NodeId| {
-            self.direction.iter().find(|(variable, _)| variable == argument).map(|&(_, rate)| rate)
-        };
+        let known = |argument: &NodeId| self.rates.get(argument).copied();
         // Most arguments are coordinates. For others a sweep takes time in proportion to the whole graph.
         match arguments.iter().map(known).collect() {
             Some(rates) => rates,

@@ -122,7 +122,7 @@ fn recurrences(
     let mut polynomials = rewriter.polynomials(roots)?;
     let mut auxiliaries = std::mem::take(&mut rewriter.auxiliaries);
     if by_parts {
-        let direction = std::mem::take(&mut rewriter.direction);
+        let direction = std::mem::take(&mut rewriter.rates);
         let rates = parts::Rates { direction: &direction, auxiliaries: &auxiliaries };
         let added = parts::by_parts(graph, &mut polynomials, counts.coordinates, &rates);
         if added.is_empty() {

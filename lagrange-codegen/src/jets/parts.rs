@@ -10,6 +10,7 @@
 //! depend on them.
 
 use super::auxiliary::{Auxiliary, Relation, Value};
+use crate::collections::Lookup;
 use crate::expr::{Exponent, Graph, Node, NodeId, Variable};
 use crate::number::Number;
 
@@ -18,7 +19,7 @@ const ONCE: Exponent = Exponent(2);
 /// The functions with polynomial rates, and their rates.
 pub(super) struct Rates<'a> {
     /// Rates of coordinates and of the time.
-    pub direction: &'a [(NodeId, NodeId)],
+    pub direction: &'a Lookup<NodeId, NodeId>,
     /// Auxiliaries, by index.
     pub auxiliaries: &'a [Auxiliary],
 }
@@ -31,7 +32,7 @@ impl Rates<'_> {
                 _ => None,
             };
         }
-        self.direction.iter().find(|&&(variable, _)| variable == node).map(|&(_, rate)| rate)
+        self.direction.get(&node).copied()
     }
 }
 
@@ -241,7 +242,7 @@ mod tests {
         let [lost, gained] =
             [graph.mul(sine, pulled), graph.product(&[(v, ONCE), (cosine, ONCE), (y, ONCE)])];
         let force = graph.sub(gained, lost);
-        let rates = Rates { direction: &[], auxiliaries: &auxiliaries };
+        let rates = Rates { direction: &Lookup::default(), auxiliaries: &auxiliaries };
 
         let mut roots = [momentum, force];
         let added = by_parts(&mut graph, &mut roots, 1, &rates);
@@ -266,7 +267,10 @@ mod tests {
         let square = graph.powi(r, 2);
         let momentum = graph.mul(square, turn);
         let mut roots = [momentum, graph.zero()];
-        let direction = [(r, rate), (angle, turn)];
+        let mut direction = Lookup::default();
+        [(r, rate), (angle, turn)]
+            .into_iter()
+            .for_each(|(variable, rate)| _ = direction.insert(variable, rate));
         let rates = Rates { direction: &direction, auxiliaries: &[] };
         assert!(by_parts(&mut graph, &mut roots, 1, &rates).is_empty());
         assert_eq!(roots[0], momentum);

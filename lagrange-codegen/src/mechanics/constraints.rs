@@ -9,6 +9,7 @@
 //! as the user wrote them (Lanczos, *The Variational Principles of Mechanics*, chapter II.12; Neimark and
 //! Fufaev, *Dynamics of Nonholonomic Systems*, chapter III).
 
+use super::mass::MassMatrix;
 use super::motion::Motion;
 use super::places;
 use crate::calculus::{pullback, pushforward, substitute, velocity_degrees};
@@ -112,7 +113,7 @@ impl Conditions {
     }
 
     /// Differentiates all constraints of a system with this mass matrix.
-    pub(super) fn of(model: &mut Model, motion: &Motion, mass: &[Vec<NodeId>]) -> Conditions {
+    pub(super) fn of(model: &mut Model, motion: &Motion, mass: &MassMatrix) -> Conditions {
         if model.constraints.is_empty() {
             return Conditions::default();
         }
@@ -157,7 +158,11 @@ impl Conditions {
             .map(|constraint| if is_holonomic(constraint) { constraint.value } else { zero })
             .collect();
         let mut sizes = |values: &[NodeId], of: &[NodeId]| -> Vec<NodeId> {
-            values.iter().zip(&jacobian).map(|(&value, row)| size_of(graph, value, row, of, mass)).collect()
+            values
+                .iter()
+                .zip(&jacobian)
+                .map(|(&value, row)| size_of(graph, value, row, of, mass.rows()))
+                .collect()
         };
         let (position_sizes, rate_sizes) = (sizes(&positions, &motion.q), sizes(&rates, &motion.v));
         let relaxation = baumgarte.map(|rate| {

@@ -101,20 +101,6 @@ pub(super) fn momenta(model: &mut Model, motion: &Motion) -> Vec<NodeId> {
     loads.sweep(model, motion)
 }
 
-/// M = ∂p/∂v, lower triangle.
-pub(super) fn mass_matrix(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -> Vec<Vec<NodeId>> {
-    let count = momenta.len();
-    let one = model.graph.one();
-    let mut mass: Vec<Vec<NodeId>> = vec![Vec::with_capacity(count); count];
-    for (column, &velocity) in motion.v.iter().enumerate() {
-        let entries = pushforward(&mut model.graph, &momenta[column..], &[(velocity, one)]);
-        for (row, entry) in entries.into_iter().enumerate() {
-            mass[column + row].push(entry);
-        }
-    }
-    mass
-}
-
 /// Inertial part of the bias.
 pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -> Loads {
     let mut loads = Loads::default();

@@ -134,7 +134,7 @@ fn by(model: &mut Model, values: &[NodeId], variables: &[Variable]) -> Vec<Vec<N
 /// r = f + Aᵀλ − M a.
 fn residual(model: &mut Model, equations: &Equations) -> Vec<NodeId> {
     let graph = &mut model.graph;
-    let mass = &equations.mass;
+    let mass = equations.mass.rows();
     let count = mass.len();
     let accelerations: Vec<NodeId> =
         (0..count as u32).map(|i| graph.variable(Variable::Acceleration(i))).collect();

@@ -12,6 +12,7 @@ mod equations;
 mod forces;
 mod frames;
 mod linearization;
+mod mass;
 mod motion;
 mod places;
 pub(crate) mod quadratic;
@@ -21,6 +22,7 @@ mod validate;
 
 pub use constraints::{Conditions, LoadRow, Switched};
 pub use linearization::{Linearization, Sensitivities};
+pub use mass::MassMatrix;
 pub use screws::Screws;
 pub use turning::turning;
 
@@ -35,8 +37,8 @@ use quadratic::Quadratic;
 /// The equations of motion and the scalars that go with them.
 #[derive(Clone, Debug)]
 pub struct Equations {
-    /// Mass matrix ∂²L/∂v∂v, lower triangle, row by row.
-    pub mass: Vec<Vec<NodeId>>,
+    /// Mass matrix ∂²L/∂v∂v.
+    pub mass: MassMatrix,
     /// b(q, v, t): d/dt ∂L/∂v − ∂L/∂q at a = 0.
     pub bias: Vec<NodeId>,
     /// Q − ∂D/∂v.
@@ -77,7 +79,7 @@ pub struct Equations {
 impl Equations {
     /// The entries of the mass matrix and of the constraints' gradients, and the right-hand sides.
     pub fn roots(&self) -> Vec<NodeId> {
-        self.mass.iter().flatten().chain(&self.force).copied().chain(self.conditions.roots()).collect()
+        self.mass.entries().chain(self.force.iter().copied()).chain(self.conditions.roots()).collect()
     }
 
     /// The same with simplified roots where a motion is solved and facts are read: the mass matrix, the
@@ -95,25 +97,30 @@ impl Equations {
     fn simplify_motion(&mut self, model: &mut Model) {
         let mut simpler = simplify(&mut model.graph, &mut model.hints, &self.roots()).into_iter();
         let Conditions { jacobian, gamma, .. } = &mut self.conditions;
-        let rows = self.mass.iter_mut().chain([&mut self.force]).chain(jacobian).chain([gamma]);
-        rows.flatten().zip(simpler.by_ref()).for_each(|(node, new)| *node = new);
+        let rows = [&mut self.force].into_iter().chain(jacobian).chain([gamma]);
+        let nodes = self.mass.entries_mut().chain(rows.flatten());
+        nodes.zip(simpler.by_ref()).for_each(|(node, new)| *node = new);
     }
 }
 
-/// Derives the equations of motion, or reports why it cannot.
+/// Derives the equations of motion, or reports why it cannot. `asks_for_mass` tells whether more than the
+/// accelerations is made of the entries of the mass matrix.
 pub fn derive(
     model: &mut Model,
+    asks_for_mass: bool,
     allows: &dyn Fn(&str) -> bool,
     diagnostics: &mut Diagnostics,
 ) -> Option<Equations> {
     let are_inert = validate::contributions(model, allows, diagnostics);
     validate::constants(model, diagnostics);
     let independent = validate::constraints(model, allows, diagnostics);
-    let equations = cheapest(model, Equations::in_axes, Equations::roots);
+    let asks_for_mass = asks_for_mass || !model.constraints.is_empty() || !model.contacts.is_empty();
+    let equations =
+        cheapest(model, |model, axes| Equations::in_axes(model, axes, asks_for_mass), Equations::roots);
     if !are_inert {
-        validate::inertia(model, &equations.mass, &independent, diagnostics);
+        validate::inertia(model, &equations, &independent, diagnostics);
     }
-    validate::inputs(model, &equations.force, &equations.mass, allows, diagnostics);
+    validate::inputs(model, &equations, allows, diagnostics);
     (!diagnostics.has_errors()).then_some(equations)
 }
 
@@ -151,15 +158,22 @@ fn composed(graph: &mut Graph, mass: Vec<Vec<NodeId>>, energy: NodeId) -> Vec<Ve
 }
 
 impl Equations {
-    fn in_axes(model: &mut Model, axes: Axes) -> Equations {
+    fn in_axes(model: &mut Model, axes: Axes, asks_for_mass: bool) -> Equations {
         let motion = Motion::of(model, axes);
         let momenta = equations::momenta(model, &motion);
-        let mass = equations::mass_matrix(model, &motion, &momenta);
+        let count = momenta.len();
+        let is_of_many =
+            MassMatrix::is_of_many(count) && model.lagrangian.is_empty() && motion.turning.is_empty();
+        let formed = (!is_of_many).then(|| MassMatrix::formed(model, &motion, &momenta));
         let energies = energy::energies(model, &motion, &momenta);
-        let mass = match axes {
-            Axes::Own => composed(&mut model.graph, mass, energies.kinetic),
-            Axes::Space => mass,
+        let known = match formed {
+            Some(mass) if axes == Axes::Own => {
+                Some(MassMatrix::Formed(composed(&mut model.graph, mass, energies.kinetic)))
+            }
+            Some(mass) => Some(MassMatrix::Formed(mass)),
+            None => MassMatrix::of_many(&mut model.graph, energies.kinetic, count, asks_for_mass),
         };
+        let mass = known.unwrap_or_else(|| MassMatrix::Formed(MassMatrix::formed(model, &motion, &momenta)));
         let inertial = equations::inertial(model, &motion, &momenta);
         let conservative = equations::conservative(model);
         let applied_loads = forces::loads(model, &motion);

@@ -71,6 +71,23 @@ impl Quadratic {
         (0..velocities).map(|row| (0..=row).map(|column| entry(row, column)).collect()).collect()
     }
 
+    /// All coefficients.
+    pub fn coefficients(&self) -> impl Iterator<Item = NodeId> + '_ {
+        self.entries.values().copied().chain(self.definitions.iter().flatten().map(|&(_, c)| c))
+    }
+
+    /// The blocks of velocities that M couples, each in ascending order.
+    pub fn blocks(&self) -> Vec<Vec<usize>> {
+        let mut parts = Parts { above: (0..self.velocities + self.definitions.len()).collect() };
+        for (index, definition) in self.definitions.iter().enumerate() {
+            definition.iter().for_each(|&(x, _)| parts.join(self.velocities + index, x));
+        }
+        self.entries.keys().for_each(|&(a, b)| parts.join(a, b));
+        let mut blocks: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        (0..self.velocities).for_each(|v| blocks.entry(parts.first(v)).or_default().push(v));
+        blocks.into_values().collect()
+    }
+
     /// The form without unused definitions.
     fn without_unused(self) -> Quadratic {
         let Quadratic { velocities, definitions, entries } = self;
@@ -101,6 +118,28 @@ impl Quadratic {
                 .collect(),
             entries: entries.into_iter().map(|((a, b), q)| ((renamed[a], renamed[b]), q)).collect(),
         }
+    }
+}
+
+/// The connected parts of the unknowns. Each unknown names an earlier one of its part; the first names
+/// itself.
+struct Parts {
+    above: Vec<Unknown>,
+}
+
+impl Parts {
+    fn first(&mut self, unknown: Unknown) -> Unknown {
+        let mut first = unknown;
+        while self.above[first] != first {
+            first = self.above[first];
+        }
+        self.above[unknown] = first;
+        first
+    }
+
+    fn join(&mut self, a: Unknown, b: Unknown) {
+        let (a, b) = (self.first(a), self.first(b));
+        self.above[a.max(b)] = a.min(b);
     }
 }
 

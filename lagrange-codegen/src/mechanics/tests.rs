@@ -46,7 +46,7 @@ fn axes_leave_the_equations_what_they_are() {
     assert!(Motion::is_carried(&model));
     let [own, space] = [Axes::Own, Axes::Space].map(|axes| {
         let mut model = model.clone();
-        let equations = Equations::in_axes(&mut model, axes);
+        let equations = Equations::in_axes(&mut model, axes, true);
         let Equations { momenta, momentum_rates, bias, applied, energy, inertia, .. } = &equations;
         let mut roots = equations.roots();
         roots.extend(momenta.iter().chain(momentum_rates).chain(bias).chain(applied));

@@ -10,7 +10,8 @@ use crate::model::Model;
 
 /// The equations of a model whose orientations are matrices; `None` for a model without orientations.
 pub fn turning(model: &mut Model) -> Option<Equations> {
-    (!model.turning.is_empty()).then(|| cheapest(model, Equations::in_axes, Equations::roots))
+    (!model.turning.is_empty())
+        .then(|| cheapest(model, |model, axes| Equations::in_axes(model, axes, true), Equations::roots))
 }
 
 impl Equations {

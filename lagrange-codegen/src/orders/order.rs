@@ -23,7 +23,7 @@ pub(super) enum Operand {
 }
 
 /// The source of a number that goes on to the next order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Source {
     /// A velocity, which may be in no recurrence.
     Velocity(u32),
@@ -46,6 +46,10 @@ pub(super) struct Order<'a> {
     partial: Vec<Option<Slot>>,
     /// The numbers that go on to the next order, with their sources.
     carried: Vec<(Keeps, Source)>,
+    /// The index of each in that list.
+    carried_at: Lookup<Source, usize>,
+    /// The slots of the recurrences that read a variable.
+    variables: Lookup<Variable, Slot>,
     /// The coefficients found so far, for names.
     pub found: Vec<Named>,
 }
@@ -67,6 +71,8 @@ impl<'a> Order<'a> {
             coefficients: vec![None; jets.program.len()],
             partial: vec![None; jets.program.len()],
             carried: Vec::new(),
+            carried_at: Lookup::default(),
+            variables: variables(jets),
             found: Vec::new(),
             program,
         }
@@ -86,8 +92,9 @@ impl<'a> Order<'a> {
     }
 
     fn carry_source(&mut self, keeps: Keeps, source: Source) -> Slot {
-        let index = self.carried.iter().position(|&(_, known)| known == source).unwrap_or_else(|| {
+        let index = self.carried_at.get(&source).copied().unwrap_or_else(|| {
             self.carried.push((keeps, source));
+            self.carried_at.insert(source, self.carried.len() - 1);
             self.carried.len() - 1
         });
         self.given(Given::Carried(index as u32))
@@ -102,19 +109,9 @@ impl<'a> Order<'a> {
         coefficient
     }
 
-    /// The slot of a variable, if a recurrence reads it.
-    fn slot_of(&self, variable: Variable) -> Option<Slot> {
-        let program = &self.jets.program;
-        self.jets
-            .order
-            .iter()
-            .copied()
-            .find(|&slot| program.instruction(slot) == Instruction::Variable(variable))
-    }
-
     /// Gives a variable its coefficient.
     pub fn set(&mut self, variable: Variable, coefficient: Slot) {
-        if let Some(slot) = self.slot_of(variable) {
+        if let Some(&slot) = self.variables.get(&variable) {
             self.coefficients[slot.index()] = Some(coefficient);
         }
     }
@@ -250,7 +247,7 @@ impl<'a> Order<'a> {
         let known = self.program.len();
         let sum = chain(&mut self.program, start, terms);
         // Partial sums are parts of this coefficient, too.
-        for slot in self.program.slots().skip(known).filter(|&slot| Some(slot) != sum) {
+        for slot in self.program.slots_from(known).filter(|&slot| Some(slot) != sum) {
             self.found.push(Named { slot, part: Part::Known, of });
         }
         sum
@@ -269,6 +266,19 @@ impl<'a> Order<'a> {
             Operand::Coefficient(slot) => self.jets.coefficient(slot),
         }
     }
+}
+
+/// The slots at which recurrences read variables.
+fn variables(jets: &Jets) -> Lookup<Variable, Slot> {
+    let mut variables = Lookup::default();
+    for &slot in &jets.order {
+        if let Instruction::Variable(variable) = jets.program.instruction(slot)
+            && !variables.contains(&variable)
+        {
+            variables.insert(variable, slot);
+        }
+    }
+    variables
 }
 
 /// Slots with coefficients of their own.

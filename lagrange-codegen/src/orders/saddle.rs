@@ -55,12 +55,13 @@ impl Nodes {
         let method = if method == Saddle::Sparse && !covered { Saddle::Diagonal } else { method };
         let mass = match method {
             Saddle::Whole { .. } | Saddle::Switched { .. } => {
-                let lower = equations.mass.iter().enumerate().flat_map(|(i, row)| row.iter().take(i + 1));
+                let lower =
+                    equations.mass.rows().iter().enumerate().flat_map(|(i, row)| row.iter().take(i + 1));
                 lower.copied().collect()
             }
             Saddle::Diagonal | Saddle::Sparse => {
                 let one = graph.one();
-                equations.mass.iter().enumerate().map(|(i, row)| graph.div(one, row[i])).collect()
+                equations.mass.rows().iter().enumerate().map(|(i, row)| graph.div(one, row[i])).collect()
             }
         };
         let switches = equations.conditions.switches();

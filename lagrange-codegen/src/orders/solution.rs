@@ -66,7 +66,6 @@ impl Start {
         program: &mut Program,
         values: &mut impl FnMut(&mut Program, &[NodeId]) -> Vec<Slot>,
     ) -> Start {
-        let mass = &equations.mass;
         if let Method::Recursive { recursion, .. } = &block.method {
             let factors = values(program, &nodes(recursion));
             // Numbers that carry others with them leave enough to do while an operation waits for another.
@@ -85,7 +84,7 @@ impl Start {
             Method::WrittenOut { .. } => !equations.definite,
             Method::Ldlt | Method::Recursive { .. } => false,
         };
-        let own = &block.coordinates;
+        let (own, mass) = (&block.coordinates, equations.mass.rows());
         let lower: Vec<NodeId> = (0..own.len())
             .flat_map(|row| (0..=row).map(move |column| (row, column)))
             .map(|(row, column)| mass[own[row]][own[column]])

@@ -24,6 +24,8 @@ pub struct Tiles {
     pub sums: usize,
     /// The index of the sum of each convolution.
     pub convolutions: Vec<usize>,
+    /// The number of the product of a bundle that each convolution is. Instances of one product share it.
+    pub roles: Vec<u32>,
     /// The columns that hold factors, each with the index of its factor.
     pub factors: Vec<(usize, usize)>,
     /// All tiles.
@@ -41,6 +43,8 @@ pub struct Tile {
     pub width: usize,
     /// The number of instances.
     pub used: usize,
+    /// The number of instances that there is room for: the distance of columns, and of the sums of products.
+    pub stride: usize,
     /// The first of its columns.
     pub base: usize,
     /// The first of its sums.
@@ -65,8 +69,14 @@ impl Tiles {
         numbers: Numbers,
         index: &impl Fn(Operand) -> usize,
     ) -> Tiles {
-        let mut tiles = Tiles { convolutions: vec![0; convolutions.len()], ..Tiles::default() };
+        let (sums, roles) = (vec![0; convolutions.len()], vec![0; convolutions.len()]);
+        let mut tiles = Tiles { convolutions: sums, roles, ..Tiles::default() };
+        let mut role = 0;
         for bundle in bundles(convolutions) {
+            for instances in &bundle.convolutions {
+                instances.iter().for_each(|&instance| tiles.roles[instance] = role);
+                role += 1;
+            }
             tiles.bundle(&bundle, numbers, index);
         }
         // Rows that begin on lines of the cache.
@@ -94,27 +104,33 @@ impl Tiles {
             if numbers == Numbers::Carrying {
                 width = width.min(left);
             }
+            // Many instances stand one after the other, so that a loop runs over all of them.
+            let stride = match (left > WIDEST, numbers) {
+                (false, _) => width,
+                (true, Numbers::Plain) => left.next_multiple_of(width),
+                (true, Numbers::Carrying) => left,
+            };
+            let used = stride.min(left);
             let base = self.columns;
             for (k, column) in bundle.columns.iter().enumerate() {
-                for (i, &factor) in column.iter().skip(first).take(width).enumerate() {
-                    self.factors.push((base + k * width + i, index_of(factor)));
+                for (i, &factor) in column.iter().skip(first).take(used).enumerate() {
+                    self.factors.push((base + k * stride + i, index_of(factor)));
                 }
             }
-            self.columns += bundle.columns.len() * width;
+            self.columns += bundle.columns.len() * stride;
             for (products, convolutions) in
                 bundle.products.chunks(PRODUCTS).zip(bundle.convolutions.chunks(PRODUCTS))
             {
                 for (k, convolutions) in convolutions.iter().enumerate() {
-                    for (i, &of) in convolutions.iter().skip(first).take(width).enumerate() {
-                        self.convolutions[of] = self.sums + k * width + i;
+                    for (i, &of) in convolutions.iter().skip(first).take(used).enumerate() {
+                        self.convolutions[of] = self.sums + k * stride + i;
                     }
                 }
-                let pattern = self.pattern(bundle, products, (first, width), index_of);
-                let used = width.min(left);
-                self.tiles.push(Tile { pattern, width, used, base, first: self.sums });
-                self.sums += products.len() * width;
+                let pattern = self.pattern(bundle, products, (first, stride), index_of);
+                self.tiles.push(Tile { pattern, width, used, stride, base, first: self.sums });
+                self.sums += products.len() * stride;
             }
-            first += width;
+            first += used;
         }
     }
 
@@ -123,14 +139,14 @@ impl Tiles {
         &mut self,
         bundle: &Bundle,
         products: &[(usize, usize)],
-        (first, width): (usize, usize),
+        (first, stride): (usize, usize),
         index_of: &impl Fn(Operand) -> usize,
     ) -> usize {
         let is_used = |&column: &usize| products.iter().any(|&(a, b)| a == column || b == column);
         let used: Vec<usize> = (0..bundle.columns.len()).filter(is_used).collect();
         let within = |column: usize| used.iter().position(|&known| known == column).unwrap_or_default();
         let products: Vec<[usize; 2]> = products.iter().map(|&(a, b)| [within(a), within(b)]).collect();
-        let columns: Vec<usize> = used.iter().map(|column| column * width).collect();
+        let columns: Vec<usize> = used.iter().map(|column| column * stride).collect();
         let known = |known: &Pattern| known.columns == columns && known.products == products;
         self.patterns.iter().position(known).unwrap_or_else(|| {
             let factors = used.iter().map(|&column| index_of(bundle.columns[column][first])).collect();

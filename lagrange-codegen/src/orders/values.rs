@@ -1,5 +1,6 @@
 //! Values at the point of expansion.
 
+use crate::collections::Lookup;
 use crate::expr::{Exponent, NodeId, Variable};
 use crate::jets::{Jets, Value};
 use crate::number::Number;
@@ -87,16 +88,16 @@ pub(super) fn nodes(
 ) -> Vec<Slot> {
     let own = plan(graph, nodes);
     let mut slots: Vec<Option<Slot>> = vec![None; own.len()];
+    let mut series: Lookup<NodeId, Slot> = Lookup::default();
+    jets.auxiliaries.iter().rev().for_each(|known| _ = series.insert(known.origin, known.slot));
     for slot in own.needed(&own.outputs) {
         let instruction = own.instruction(slot);
         let known = match (instruction, own.source(slot)) {
-            (Instruction::Unary(..), Some(node)) => {
-                jets.auxiliaries.iter().find(|series| series.origin == node)
-            }
+            (Instruction::Unary(..), Some(node)) => series.get(&node),
             _ => None,
         };
         let value = match known {
-            Some(series) => values[series.slot.index()],
+            Some(slot) => values[slot.index()],
             None => program.push(instruction.map(|operand| slots[operand.index()].unwrap_or(operand))),
         };
         if let Some(node) = own.source(slot) {

@@ -102,7 +102,7 @@ pub fn derive(
     // The checks of the system itself are done. Rows that hold at times may outnumber the coordinates, and a
     // slip may be the rate of a function.
     let permits = |_: &str| true;
-    let mut laws = mechanics::derive(&mut rows, &permits, diagnostics)?;
+    let mut laws = mechanics::derive(&mut rows, true, &permits, diagnostics)?;
     let mut switches = Switches::of_rows(&mut rows);
     let sliding = sliding::along(&mut rows.graph, &contacts, &switches.slip[held..]);
     let kinks = kinks::of(&mut rows, &laws, &sliding);
@@ -117,7 +117,7 @@ pub fn derive(
     let mut regime = rows.clone();
     switches.add_kinks(&mut regime, kinks.len());
     let (kinks_in, contacts_in) = on_sides(&mut regime, &kinks, &switches, &sliding);
-    let mut equations = mechanics::derive(&mut regime, &permits, diagnostics)?;
+    let mut equations = mechanics::derive(&mut regime, true, &permits, diagnostics)?;
     laws.conditions.add_rows(&mut rows.graph, loads.len());
     for model in [&mut rows, &mut regime] {
         name_loads(model, &loads);
@@ -152,7 +152,7 @@ pub fn derive(
     let turned = turned.map(|turned| equations.turned(&mut regime, turned));
     let solved = turned.as_ref().unwrap_or(&equations);
     let of_solved = Facts::of(&regime, solved);
-    let solution = Solution::plan(&mut regime, (&equations, &facts), (solved, &of_solved), diagnostics);
+    let solution = Solution::plan(&mut regime, (&equations, &facts), (solved, &of_solved), diagnostics)?;
     let jets = jets::derive(&mut regime, solved);
     let orders = jets.as_ref().map(|jets| Expansions::plan(&mut regime, solved, &solution, jets));
     if contacts.is_empty() && jets.is_none() {
@@ -280,7 +280,7 @@ fn hold(
     contacts: &[Contact],
     loads: Vec<LoadRow>,
 ) {
-    let count = equations.mass.len();
+    let count = equations.momenta.len();
     let rows = held + contacts.len();
     let slopes = equations.conditions.jacobian.clone();
     let speeds = equations.conditions.rates.clone();

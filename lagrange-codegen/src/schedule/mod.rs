@@ -8,10 +8,12 @@ mod divisors;
 mod lowering;
 mod pairs;
 pub mod program;
+pub mod rolling;
 mod sharing;
 
 pub use lowering::plan;
 pub use program::{Given, Instruction, Operations, Phase, Program, Slot};
+pub use rolling::{Loop, Place, Rolled, Row, Source, Step, Surroundings, Walk, roll};
 
 #[cfg(test)]
 mod tests;

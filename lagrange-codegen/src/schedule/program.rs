@@ -177,6 +177,11 @@ impl Program {
         (0..self.len() as u32).map(Slot)
     }
 
+    /// The results from a place on.
+    pub fn slots_from(&self, place: usize) -> impl Iterator<Item = Slot> + use<> {
+        (place as u32..self.len() as u32).map(Slot)
+    }
+
     /// Whether a result depends on parameters and constants alone.
     pub fn is_fixed(&self, slot: Slot) -> bool {
         self.phase(slot) == Phase::Run

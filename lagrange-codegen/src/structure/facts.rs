@@ -1,8 +1,8 @@
 //! Facts about the equations of motion, and the lines of `STRUCTURE` about what was found and left out.
 
-use crate::calculus::velocity_degrees;
+use crate::calculus::{Degrees, velocity_degrees, velocity_degrees_of};
 use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
-use crate::mechanics::Equations;
+use crate::mechanics::{Equations, MassMatrix};
 use crate::model::{ConstraintKind, Model};
 
 /// The facts.
@@ -37,8 +37,7 @@ impl Facts {
     /// Reads the facts off the equations.
     pub fn of(model: &Model, equations: &Equations) -> Facts {
         let graph = &model.graph;
-        let count = equations.mass.len();
-        let entries = || equations.mass.iter().flatten().copied();
+        let count = equations.momenta.len();
         let energies = [equations.kinetic_energy, equations.potential_energy];
         let held = || equations.conditions.positions.iter().chain(&equations.conditions.rates).copied();
         let depends_on_time = |root: NodeId| graph.dependence(root).meets(Dependence::TIME);
@@ -52,13 +51,20 @@ impl Facts {
         let idle = |i: usize| {
             graph.is_zero(equations.applied[i]) && conditions.jacobian.iter().all(|row| graph.is_zero(row[i]))
         };
-        let constant_mass = entries().all(fixed);
+        let constant_mass = match &equations.mass {
+            MassMatrix::Formed(_) => equations.mass.entries().all(fixed),
+            MassMatrix::Known { is_constant, .. } => *is_constant,
+        };
         let resting = |&force: &NodeId| !graph.dependence(force).meets(Dependence::VELOCITIES);
         Facts {
             constant_mass,
             separable: constant_mass && conditions.count() == 0 && equations.force.iter().all(resting),
-            diagonal_mass: (0..count).all(|i| (0..i).all(|j| graph.is_zero(equations.mass[i][j]))),
-            autonomous: !equations.roots().into_iter().chain(held()).any(depends_on_time),
+            diagonal_mass: match &equations.mass {
+                MassMatrix::Formed(rows) => (0..count).all(|i| (0..i).all(|j| graph.is_zero(rows[i][j]))),
+                MassMatrix::Known { .. } => false,
+            },
+            autonomous: !equations.roots().into_iter().chain(held()).any(depends_on_time)
+                && !equations.mass.meets(graph, &equations.momenta, Dependence::TIME),
             timeless: !lagrangian.into_iter().any(depends_on_time),
             has_jacobi_integral: equations.jacobi_integral.is_some(),
             conservative,
@@ -68,7 +74,10 @@ impl Facts {
                 .all(|constraint| constraint.kind == ConstraintKind::Holonomic),
             scleronomic: is_quadratic(graph, equations) && !held().chain(energies).any(depends_on_time),
             cyclic: (0..count).filter(|&i| !appearing[i] && idle(i)).collect(),
-            blocks: blocks(graph, &equations.mass),
+            blocks: match &equations.mass {
+                MassMatrix::Formed(rows) => blocks(graph, rows),
+                MassMatrix::Known { blocks, .. } => blocks.clone(),
+            },
         }
     }
 
@@ -150,11 +159,14 @@ impl Facts {
 
 /// Whether T = ½ v·M v and the momenta are M v.
 fn is_quadratic(graph: &Graph, equations: &Equations) -> bool {
-    let homogeneous = |root: NodeId, degree: u32| {
-        graph.is_zero(root) || velocity_degrees(graph, root).is_homogeneous(degree)
-    };
-    homogeneous(equations.kinetic_energy, 2)
-        && equations.momenta.iter().all(|&momentum| homogeneous(momentum, 1))
+    let is_homogeneous =
+        |root: NodeId, degrees: Degrees, degree: u32| graph.is_zero(root) || degrees.is_homogeneous(degree);
+    let (energy, momenta) = (equations.kinetic_energy, &equations.momenta);
+    is_homogeneous(energy, velocity_degrees(graph, energy), 2)
+        && momenta
+            .iter()
+            .zip(velocity_degrees_of(graph, momenta))
+            .all(|(&momentum, degrees)| is_homogeneous(momentum, degrees, 1))
 }
 
 /// Coordinates that appear in any of the roots.

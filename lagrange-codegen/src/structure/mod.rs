@@ -11,5 +11,5 @@ mod sparsity;
 
 pub use facts::Facts;
 pub use recursion::{Recursion, Step};
-pub use solve::{Block, Method, Saddle, Solution};
+pub use solve::{Block, Method, Pivot, Saddle, Solution};
 pub use sparsity::Sparsity;

@@ -6,8 +6,8 @@ use super::recursion::{Articulated, Recursion};
 use super::sparsity::Sparsity;
 use crate::diagnostics::{Diagnostics, physics};
 use crate::expr::{Graph, NodeId, Unary};
-use crate::mechanics::Equations;
 use crate::mechanics::quadratic::Quadratic;
+use crate::mechanics::{Equations, MassMatrix};
 use crate::model::Model;
 use crate::number::Number;
 use crate::simplify::cost::cost;
@@ -106,7 +106,7 @@ impl Solution {
         told: (&Equations, &Facts),
         solved: (&Equations, &Facts),
         diagnostics: &mut Diagnostics,
-    ) -> Solution {
+    ) -> Option<Solution> {
         let [saddle, saddle_of_series] = [told, solved].map(|(equations, facts)| {
             (equations.conditions.count() > 0).then(|| saddle(&model.graph, equations, facts))
         });
@@ -123,55 +123,12 @@ impl Solution {
             let saddle_of_series = by_places(saddle_of_series, solved.0);
             let saddle = by_places(saddle, told.0);
             let kind = kind(told.1);
-            return Solution { blocks: Vec::new(), saddle, saddle_of_series, sparsity, kind };
+            return Some(Solution { blocks: Vec::new(), saddle, saddle_of_series, sparsity, kind });
         }
         let (equations, facts) = solved;
-        let mass = &equations.mass;
-        let entry = |i: usize, j: usize| mass[i.max(j)][i.min(j)];
-        let mut blocks = Vec::with_capacity(facts.blocks.len());
-        for coordinates in &facts.blocks {
-            let graph = &mut model.graph;
-            let constant = coordinates
-                .iter()
-                .all(|&i| coordinates.iter().all(|&j| graph.dependence(entry(i, j)).is_fixed()));
-            let (order, operations) = elimination::order(graph, coordinates, &entry);
-            let small = coordinates.len() <= 3 || operations <= WRITTEN_OUT;
-            let method = match (equations.definite || coordinates.len() == 1, small) {
-                (true, true) => {
-                    let result = eliminate(graph, coordinates, &order, &entry, &equations.force);
-                    if let Some(&(coordinate, ..)) =
-                        result.pivots.iter().find(|(_, pivot, _)| graph.is_zero(*pivot))
-                    {
-                        let quantity = &model.coordinates[coordinate];
-                        diagnostics.at(quantity.origin, physics::structurally_singular(&quantity.written()));
-                    }
-                    let mut pivots = unknown(graph, &result.pivots);
-                    if !equations.definite {
-                        // A single entry may have either sign.
-                        for pivot in &mut pivots {
-                            pivot.value = graph.powi(pivot.value, 2);
-                            pivot.scale = pivot.value;
-                        }
-                    }
-                    Method::WrittenOut { pivots, solution: result.solution }
-                }
-                (true, false) if constant => Method::Ldlt,
-                (true, false) => recursive(graph, equations, coordinates).unwrap_or(Method::Ldlt),
-                (false, _) if coordinates.len() == 2 => {
-                    let method = cramer(graph, coordinates, &entry, &equations.force);
-                    if let Method::WrittenOut { pivots, .. } = &method
-                        && pivots.iter().any(|pivot| graph.is_zero(pivot.value))
-                    {
-                        let quantity = &model.coordinates[coordinates[1]];
-                        diagnostics.at(quantity.origin, physics::structurally_singular(&quantity.written()));
-                    }
-                    method
-                }
-                (false, _) => Method::Lu,
-            };
-            blocks.push(Block { coordinates: coordinates.clone(), method, constant });
-        }
-        Solution { blocks, saddle, saddle_of_series, sparsity: None, kind: kind(facts) }
+        let blocks = facts.blocks.iter().map(|block| of_block(model, equations, block, diagnostics));
+        let blocks = blocks.collect::<Option<Vec<Block>>>()?;
+        Some(Solution { blocks, saddle, saddle_of_series, sparsity: None, kind: kind(facts) })
     }
 
     /// The nodes that a step computes: accelerations if they are written out, else entries of the mass matrix
@@ -188,7 +145,8 @@ impl Solution {
                 }
                 Method::Ldlt | Method::Lu => {
                     for (index, &i) in block.coordinates.iter().enumerate() {
-                        roots.extend(block.coordinates[..=index].iter().map(|&j| equations.mass[i][j]));
+                        roots
+                            .extend(block.coordinates[..=index].iter().map(|&j| equations.mass.rows()[i][j]));
                         roots.push(equations.force[i]);
                     }
                 }
@@ -259,30 +217,96 @@ fn saddle(graph: &Graph, equations: &Equations, facts: &Facts) -> Saddle {
     if equations.conditions.switched.is_some() {
         return Saddle::Switched { definite: equations.definite };
     }
-    let full = || equations.mass.iter().enumerate().all(|(i, row)| !graph.is_zero(row[i]));
-    let open = equations.conditions.count() < equations.mass.len();
+    let full = || equations.mass.rows().iter().enumerate().all(|(i, row)| !graph.is_zero(row[i]));
+    let open = equations.conditions.count() < equations.momenta.len();
     match facts.diagonal_mass && open && full() {
         true => Saddle::Diagonal,
         false => Saddle::Whole { definite: equations.definite },
     }
 }
 
-/// A recursion for a block, if it takes fewer operations than forming and factoring the block.
-fn recursive(graph: &mut Graph, equations: &Equations, block: &[usize]) -> Option<Method> {
-    let right: Vec<NodeId> = block.iter().map(|&i| equations.force[i]).collect();
+/// The method that solves a block. `None` if it needs a mass matrix that is not formed.
+fn of_block(
+    model: &mut Model,
+    equations: &Equations,
+    coordinates: &[usize],
+    diagnostics: &mut Diagnostics,
+) -> Option<Block> {
+    let graph = &mut model.graph;
+    let mass = match &equations.mass {
+        MassMatrix::Formed(mass) => mass,
+        MassMatrix::Known { is_constant, .. } => {
+            // A small block beside large ones may take a recursion at any cost.
+            let bound = if coordinates.len() > 8 { factored(coordinates.len()) } else { u32::MAX };
+            let method = recursion(graph, equations, coordinates, bound)?;
+            return Some(Block { coordinates: coordinates.to_vec(), method, constant: *is_constant });
+        }
+    };
+    let entry = |i: usize, j: usize| mass[i.max(j)][i.min(j)];
+    let constant =
+        coordinates.iter().all(|&i| coordinates.iter().all(|&j| graph.dependence(entry(i, j)).is_fixed()));
+    let (order, operations) = elimination::order(graph, coordinates, &entry);
+    let small = coordinates.len() <= 3 || operations <= WRITTEN_OUT;
+    let method = match (equations.definite || coordinates.len() == 1, small) {
+        (true, true) => {
+            let result = eliminate(graph, coordinates, &order, &entry, &equations.force);
+            if let Some(&(coordinate, ..)) = result.pivots.iter().find(|(_, pivot, _)| graph.is_zero(*pivot))
+            {
+                let quantity = &model.coordinates[coordinate];
+                diagnostics.at(quantity.origin, physics::structurally_singular(&quantity.written()));
+            }
+            let mut pivots = unknown(graph, &result.pivots);
+            if !equations.definite {
+                // A single entry may have either sign.
+                for pivot in &mut pivots {
+                    pivot.value = graph.powi(pivot.value, 2);
+                    pivot.scale = pivot.value;
+                }
+            }
+            Method::WrittenOut { pivots, solution: result.solution }
+        }
+        (true, false) if constant => Method::Ldlt,
+        (true, false) => {
+            let dense = dense_cost(graph, equations, mass, coordinates);
+            recursion(graph, equations, coordinates, dense).unwrap_or(Method::Ldlt)
+        }
+        (false, _) if coordinates.len() == 2 => {
+            let method = cramer(graph, coordinates, &entry, &equations.force);
+            if let Method::WrittenOut { pivots, .. } = &method
+                && pivots.iter().any(|pivot| graph.is_zero(pivot.value))
+            {
+                let quantity = &model.coordinates[coordinates[1]];
+                diagnostics.at(quantity.origin, physics::structurally_singular(&quantity.written()));
+            }
+            method
+        }
+        (false, _) => Method::Lu,
+    };
+    Some(Block { coordinates: coordinates.to_vec(), method, constant })
+}
+
+/// Operations of an LDLᵀ factorisation and of one solution.
+fn factored(size: usize) -> u32 {
+    (size * (size * size - 1) / 3 + size * (size - 1) / 2 + 2 * size * size) as u32
+}
+
+/// Operations that form a block, factor it, and solve once.
+fn dense_cost(graph: &Graph, equations: &Equations, mass: &[Vec<NodeId>], block: &[usize]) -> u32 {
     let size = block.len();
     let entries = (0..size).flat_map(|row| (0..=row).map(move |column| (row, column)));
-    let mut formed: Vec<NodeId> =
-        entries.map(|(row, column)| equations.mass[block[row]][block[column]]).collect();
-    formed.extend(&right);
-    // The operations of an LDLᵀ and of one solution.
-    let factored = size * (size * size - 1) / 3 + size * (size - 1) / 2 + 2 * size * size;
-    let dense = cost(graph, &formed) + factored as u32;
+    let mut formed: Vec<NodeId> = entries.map(|(row, column)| mass[block[row]][block[column]]).collect();
+    formed.extend(block.iter().map(|&i| equations.force[i]));
+    cost(graph, &formed) + factored(size)
+}
+
+/// A recursion for a block, if it takes fewer operations than a bound.
+fn recursion(graph: &mut Graph, equations: &Equations, block: &[usize], bound: u32) -> Option<Method> {
+    let right: Vec<NodeId> = block.iter().map(|&i| equations.force[i]).collect();
     let mut trial = graph.clone();
     let form = Quadratic::of(&mut trial, equations.inertia, block)?;
-    let (recursion, pivots) = Recursion::of(&mut trial, form, dense as usize)?;
+    let (recursion, pivots) = Recursion::of(&mut trial, form, bound as usize)?;
     let solution = recursion.solve(&mut trial, &right);
-    if cost(&trial, &solution) >= dense {
+    if cost(&trial, &solution) >= bound {
         return None;
     }
     *graph = trial;

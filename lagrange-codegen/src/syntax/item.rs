@@ -40,6 +40,8 @@ pub struct Item {
     pub analysis: bool,
     /// Whether the equations are written in LaTeX and MathML, too.
     pub formulas: bool,
+    /// The fewest alike values that stand in an array and are computed by a loop.
+    pub least_loop: usize,
     /// The system that a generated test verifies.
     pub verify: Option<syn::Expr>,
     /// The rate of Baumgarte's stabilisation, if the attribute has it.

@@ -45,6 +45,10 @@ use crate::diagnostics::{Diagnostics, catalogue};
 use body::Constant;
 use translate::{Translator, bare};
 
+/// The fewest alike instructions that a loop computes. Fewer are as quick to compile one by one, and quicker
+/// to run, because compilers keep their results in registers.
+const LEAST_LOOP: usize = 24;
+
 /// Parses `#[lagrangian(args)] item`. `default_crate` is the crate that generated code names unless the user
 /// says `crate = path`. `None` if too little can be read to look for more mistakes.
 pub fn parse(
@@ -127,6 +131,7 @@ pub fn parse(
         sensitivities,
         analysis: args.analysis || args.verify.is_some(),
         formulas: args.analysis || args.verify.is_some(),
+        least_loop: LEAST_LOOP,
         verify: args.verify,
         baumgarte,
         allowed: args.allowed,

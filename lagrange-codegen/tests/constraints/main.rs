@@ -18,7 +18,7 @@ fn derived(args: TokenStream, item: TokenStream) -> Result<Model, Vec<String>> {
             eliminate::eliminate(&mut model, &mut diagnostics);
         }
         if !diagnostics.has_errors() {
-            mechanics::derive(&mut model, &|lint| item.allows(lint), &mut diagnostics);
+            mechanics::derive(&mut model, true, &|lint| item.allows(lint), &mut diagnostics);
         }
         model
     });

@@ -27,7 +27,7 @@ fn derived(args: TokenStream, item: TokenStream) -> (Model, Equations) {
     let mut diagnostics = Diagnostics::new();
     let item = syntax::parse(args, item, "::lagrangian", &mut diagnostics).expect("the description is good");
     let mut model = lower::lower(&item, &mut diagnostics);
-    let equations = mechanics::derive(&mut model, &|_| false, &mut diagnostics);
+    let equations = mechanics::derive(&mut model, true, &|_| false, &mut diagnostics);
     let messages: Vec<_> = diagnostics.messages().collect();
     (model, equations.unwrap_or_else(|| panic!("{messages:?}")))
 }
@@ -35,7 +35,9 @@ fn derived(args: TokenStream, item: TokenStream) -> (Model, Equations) {
 /// The method that generated code solves with.
 fn method(model: &mut Model, equations: &Equations) -> Saddle {
     let facts = Facts::of(model, equations);
-    let solution = Solution::plan(model, (equations, &facts), (equations, &facts), &mut Diagnostics::new());
+    let told = (equations, &facts);
+    let solution =
+        Solution::plan(model, told, told, &mut Diagnostics::new()).expect("the mass matrix is formed");
     solution.saddle.expect("there are constraints")
 }
 
@@ -47,7 +49,7 @@ fn solution(model: &Model, equations: &Equations, at: &dyn Fn(Variable) -> f64) 
     let gradients: Vec<Vec<f64>> = conditions.jacobian.iter().map(|row| values(row)).collect();
     let mut columns: Vec<Vec<f64>> = (0..count)
         .map(|j| {
-            let mass: Vec<NodeId> = (0..count).map(|i| equations.mass[i.max(j)][i.min(j)]).collect();
+            let mass: Vec<NodeId> = (0..count).map(|i| equations.mass.rows()[i.max(j)][i.min(j)]).collect();
             values(&mass).into_iter().chain(gradients.iter().map(|row| row[j])).collect()
         })
         .collect();

@@ -18,7 +18,8 @@ fn derived(args: TokenStream, item: TokenStream) -> (Model, Equations, Option<Je
     let mut diagnostics = Diagnostics::new();
     let item = syntax::parse(args, item, "::lagrangian", &mut diagnostics).expect("the description is good");
     let mut model = lower::lower(&item, &mut diagnostics);
-    let equations = mechanics::derive(&mut model, &|_| false, &mut diagnostics).expect("there is a motion");
+    let equations =
+        mechanics::derive(&mut model, true, &|_| false, &mut diagnostics).expect("there is a motion");
     let jets = jets::derive(&mut model, &equations);
     (model, equations, jets)
 }
@@ -48,7 +49,7 @@ fn chain(links: usize) -> (Model, Equations, Option<Jets>) {
 /// Accelerations from M a = f, the equations that the other methods use.
 fn accelerations(model: &Model, equations: &Equations, at: &dyn Fn(Variable) -> f64) -> Vec<f64> {
     let count = equations.force.len();
-    let mass = |i: usize, j: usize| model.graph.evaluate(&[equations.mass[i.max(j)][i.min(j)]], at)[0];
+    let mass = |i: usize, j: usize| model.graph.evaluate(&[equations.mass.rows()[i.max(j)][i.min(j)]], at)[0];
     let columns = (0..count).map(|j| (0..count).map(|i| mass(i, j)).collect()).collect();
     solved(columns, model.graph.evaluate(&equations.force, at))
 }

@@ -31,7 +31,7 @@ pub struct Counts {
 /// Checks all identities of one system at one sample.
 pub fn check(source: &Source, sample: &Sample) -> Result<Counts, String> {
     let Some((mut model, equations)) = derived(source) else { return Ok(Counts::default()) };
-    let count = equations.mass.len();
+    let count = equations.momenta.len();
     let accelerations: Vec<f64> = (0..count).map(|i| 0.7 - 0.4 * i as f64).collect();
     let mut judge = Judge { sample, accelerations: &accelerations, compared: 0 };
     let mut counts = Counts::default();
@@ -44,12 +44,13 @@ pub fn check(source: &Source, sample: &Sample) -> Result<Counts, String> {
                 [inertia.relative[i], inertia.coriolis[i], inertia.gyroscopic[i], inertia.transport[i]];
             judge.sums(&model.graph, "inertia forces", &[&parts[..], &inertial[i]].concat())?;
         }
-        let symbols = christoffel(&mut model, &equations.mass);
+        let symbols = christoffel(&mut model, equations.mass.rows());
         let graph = &mut model.graph;
         let (time, one) = (graph.variable(Variable::Time), graph.one());
         for k in 0..count {
             for j in 0..count {
-                let explicit = pushforward(graph, &[equations.mass[k.max(j)][k.min(j)]], &[(time, one)])[0];
+                let explicit =
+                    pushforward(graph, &[equations.mass.rows()[k.max(j)][k.min(j)]], &[(time, one)])[0];
                 let mut terms = vec![graph.neg(covariant.coriolis[k][j])];
                 terms.push(graph.scale(explicit, Number::HALF));
                 for i in 0..count {
@@ -96,23 +97,23 @@ pub fn derived(source: &Source) -> Option<(Model, Equations)> {
     let (arguments, item) = (source.arguments.parse().ok()?, source.item.parse().ok()?);
     let item = syntax::parse(arguments, item, "::lagrangian", &mut diagnostics)?;
     let mut model = lower::lower(&item, &mut diagnostics);
-    let equations = derive(&mut model, &|lint| item.allows(lint), &mut diagnostics)?;
+    let equations = derive(&mut model, true, &|lint| item.allows(lint), &mut diagnostics)?;
     let simplified = equations.simplified(&mut model);
     Some((model, simplified))
 }
 
 fn mass_times_accelerations(model: &mut Model, equations: &Equations, i: usize) -> Vec<NodeId> {
-    (0..equations.mass.len())
+    (0..equations.momenta.len())
         .map(|j| {
             let a = model.graph.variable(Variable::Acceleration(j as u32));
-            model.graph.mul(equations.mass[i.max(j)][i.min(j)], a)
+            model.graph.mul(equations.mass.rows()[i.max(j)][i.min(j)], a)
         })
         .collect()
 }
 
 /// M a + b − ∂V/∂q.
 fn total(model: &mut Model, equations: &Equations) -> Vec<Vec<NodeId>> {
-    let count = equations.mass.len();
+    let count = equations.momenta.len();
     let q: Vec<NodeId> = (0..count as u32).map(|i| model.graph.variable(Variable::Coordinate(i))).collect();
     let minus_one = model.graph.constant(Number::MINUS_ONE);
     let slopes = pullback(&mut model.graph, &[(equations.potential_energy, minus_one)], &q);

@@ -184,7 +184,7 @@ fn stays(model: &mut Model, equations: &Equations, node: NodeId) -> Result<(), S
         .collect();
     for point in &POINTS {
         let t = 0.8;
-        let solved = [equations.mass[0][0], equations.mass[1][0], equations.mass[1][1]];
+        let solved = [equations.mass.rows()[0][0], equations.mass.rows()[1][0], equations.mass.rows()[1][1]];
         let solved =
             graph.evaluate(&[&solved[..], &equations.force].concat(), |v| value(v, point, t, &[0.0; 2]));
         let [m00, m10, m11, f0, f1] = solved[..] else { return Err("two coordinates".to_owned()) };

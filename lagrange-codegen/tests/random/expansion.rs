@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use proc_macro2::TokenStream;
 use syn::{Expr, ImplItem, ImplItemFn, Item, ItemImpl, Stmt};
 
+use lagrange_codegen::Settings;
+
 use crate::source::Source;
 
 /// Emitted functions by name.
@@ -32,6 +34,11 @@ impl Expansion {
     /// Expands a description and takes the expansion apart.
     pub fn of(source: &Source) -> Result<Expansion, String> {
         Expansion::parse(tokens(source)?)
+    }
+
+    /// The same with as many loops as there are: two alike instructions make one.
+    pub fn in_loops(source: &Source) -> Result<Expansion, String> {
+        Expansion::parse(tokens_with(source, Settings { least_loop: Some(2), ..Settings::default() })?)
     }
 
     fn parse(tokens: TokenStream) -> Result<Expansion, String> {
@@ -84,10 +91,15 @@ fn last_segment(path: &syn::Path) -> String {
 
 /// The expansion as tokens.
 pub fn tokens(source: &Source) -> Result<TokenStream, String> {
+    tokens_with(source, Settings::default())
+}
+
+fn tokens_with(source: &Source, settings: Settings) -> Result<TokenStream, String> {
     let parse = |text: &str| {
         text.parse::<TokenStream>().map_err(|error| format!("the source has no tokens: {error}"))
     };
-    Ok(lagrange_codegen::expand(parse(&source.arguments)?, parse(&source.item)?, "::lagrangian"))
+    let (arguments, item) = (parse(&source.arguments)?, parse(&source.item)?);
+    Ok(lagrange_codegen::expand_with(arguments, item, "::lagrangian", settings))
 }
 
 fn collect(block: ItemImpl, target: &mut Functions) -> Result<(), String> {

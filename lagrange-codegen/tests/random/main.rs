@@ -20,6 +20,7 @@ mod expansion;
 mod expression;
 mod faults;
 mod function;
+mod in_loops;
 mod interpreter;
 mod motion;
 mod number;
@@ -54,14 +55,22 @@ const QUICK: usize = 256;
 /// Systems whose derivatives are compared in such a run. They take several times as long to expand.
 const DERIVED: usize = 12;
 
+/// How a description is expanded.
+type Expand = fn(&Source) -> Result<Expansion, String>;
+
 fn cases() -> BoxedStrategy<(System, [Sample; 2])> {
     (strategy::system(), [strategy::sample(), strategy::sample()]).boxed()
 }
 
 /// The outcomes at all samples, or what is wrong and where.
 fn agrees(system: &System, samples: &[Sample]) -> Result<Vec<Outcome>, String> {
+    agrees_as(system, samples, Expansion::of)
+}
+
+/// The same of another expansion.
+fn agrees_as(system: &System, samples: &[Sample], expand: Expand) -> Result<Vec<Outcome>, String> {
     let source = Source::of(system);
-    let expansion = Expansion::of(&source).map_err(|error| format!("{error}\n{source}"))?;
+    let expansion = expand(&source).map_err(|error| format!("{error}\n{source}"))?;
     let at_sample = |sample: &Sample| {
         check(system, &expansion, sample, &expected(system, sample))
             .map_err(|error| format!("{error}\n{source}at {sample:?}"))
@@ -120,7 +129,7 @@ fn systems_of_many_links_agree_with_dual_numbers() {
 #[test]
 fn series_of_systems_of_many_links_agree_with_truncated_series() {
     let cases = || (strategy::linked(), [strategy::sample(), strategy::sample()]).boxed();
-    let [compared, kinked, left_out] = compare_series(cases, runner::cases(QUICK) / 32);
+    let [compared, kinked, left_out] = compare_series(cases, runner::cases(QUICK) / 32, Expansion::of);
     assert!(2 * compared > kinked + left_out);
 }
 
@@ -128,11 +137,12 @@ fn series_of_systems_of_many_links_agree_with_truncated_series() {
 fn compare_series(
     strategy: impl Fn() -> BoxedStrategy<(System, [Sample; 2])> + Sync,
     cases: usize,
+    expand: Expand,
 ) -> [usize; 3] {
     let total: Mutex<([usize; 3], close::Agreement)> = Mutex::default();
     runner::run(cases, strategy, |(system, samples)| {
         let source = Source::of(system);
-        let expansion = Expansion::of(&source).map_err(|error| format!("{error}\n{source}"))?;
+        let expansion = expand(&source).map_err(|error| format!("{error}\n{source}"))?;
         for sample in samples {
             let outcome = series::check(system, &expansion, sample)
                 .map_err(|error| format!("{error}\n{source}at {sample:?}"))?;
@@ -155,14 +165,14 @@ fn compare_series(
 
 #[test]
 fn every_order_of_emitted_series_agrees_with_truncated_series() {
-    let [compared, kinked, left_out] = compare_series(cases, runner::cases(QUICK) / 8);
+    let [compared, kinked, left_out] = compare_series(cases, runner::cases(QUICK) / 8, Expansion::of);
     assert!(2 * compared > kinked + left_out && 4 * compared > left_out);
 }
 
 #[test]
 fn series_of_systems_that_recur_agree_with_truncated_series() {
     let cases = || (strategy::chained(), [strategy::sample(), strategy::sample()]).boxed();
-    let [compared, kinked, left_out] = compare_series(cases, runner::cases(QUICK) / 32);
+    let [compared, kinked, left_out] = compare_series(cases, runner::cases(QUICK) / 32, Expansion::of);
     assert!(2 * compared > kinked + left_out);
 }
 

@@ -66,22 +66,28 @@ fn outlined<S: Products<C, L>, R: Real, const C: usize, const L: usize>(rows: &[
 pub fn tile<T, R, const C: usize, const L: usize, const W: usize, const M: usize>(
     rows: &[[R; C]],
     sums: &mut [R; L],
-    (base, first, used): (usize, usize, usize),
+    (base, first, used, stride): (usize, usize, usize, usize),
 ) where
     T: Pattern<C, M>,
     R: Real,
 {
-    let Some(sums) = sums.get_mut(first..) else { return };
+    let mut put = |place: usize, from: &[R]| {
+        if let Some(to) = sums.get_mut(first + place..).and_then(|sums| sums.get_mut(..from.len())) {
+            to.copy_from_slice(from);
+        }
+    };
     if size_of::<R>() == size_of::<R::Lane>() {
-        let sum = part::<T, R, C, W, M>(rows, base);
-        for (to, from) in sums.iter_mut().zip(sum.as_flattened()) {
-            *to = *from;
+        for instance in (0..used).step_by(W) {
+            let sum = part::<T, R, C, W, M>(rows, base + instance);
+            for (product, sum) in sum.iter().enumerate() {
+                put(product * stride + instance, sum);
+            }
         }
     } else {
         for instance in 0..used {
             let sum = part::<T, R, C, 1, M>(rows, base + instance);
-            for (to, [from]) in sums.iter_mut().skip(instance).step_by(W).zip(sum) {
-                *to = from;
+            for (product, sum) in sum.iter().enumerate() {
+                put(product * stride + instance, sum);
             }
         }
     }
@@ -154,7 +160,7 @@ mod tests {
 
     impl Products<6, 6> for Patterns {
         fn sum<R: Real>(rows: &[[R; 6]], sums: &mut [R; 6]) {
-            tile::<Three, _, _, _, 2, 3>(rows, sums, (0, 0, 2));
+            tile::<Three, _, _, _, 2, 3>(rows, sums, (0, 0, 2, 2));
         }
     }
 

@@ -41,6 +41,19 @@ pub fn check<R: Real>(value: R, scale: R, coordinate: usize) -> Result<(), Cause
     }
 }
 
+/// Checks many pivots, in the order of the factorisation.
+///
+/// # Errors
+/// Those of [`check`], at the first pivot that has one.
+pub fn check_all<R: Real, const N: usize>(
+    values: &[R; N],
+    scales: &[R; N],
+    coordinates: &[usize; N],
+) -> Result<(), Cause> {
+    let mut pivots = values.iter().zip(scales).zip(coordinates);
+    pivots.try_for_each(|((&value, &scale), &coordinate)| check(value, scale, coordinate))
+}
+
 /// The cause of a pivot that is zero or NaN: a factorisation stops at either, and whether the numbers are
 /// finite tells them apart.
 fn singular(finite: bool, coordinate: usize) -> Cause {
@@ -147,6 +160,22 @@ pub fn symmetric<R: Real, const N: usize>(lower: [[R; N]; N]) -> SMatrix<R, N, N
     SMatrix::from_fn(|i, j| lower[i.max(j)][i.min(j)])
 }
 
+/// A mass matrix from the momenta, which are M v + p₀: its columns are those of unit velocities, less p₀.
+#[inline]
+pub fn mass_of<R: Real, const N: usize>(momenta: impl Fn(&[R; N]) -> [R; N]) -> SMatrix<R, N, N> {
+    let mut velocities = [R::zero(); N];
+    let rest = momenta(&velocities);
+    let mut mass = SMatrix::<R, N, N>::zeros();
+    for (j, mut column) in mass.column_iter_mut().enumerate() {
+        velocities[j] = R::one();
+        for ((entry, momentum), rest) in column.iter_mut().zip(momenta(&velocities)).zip(rest) {
+            *entry = momentum - rest;
+        }
+        velocities[j] = R::zero();
+    }
+    mass
+}
+
 /// Checks the block of a mass matrix that belongs to some coordinates.
 ///
 /// # Errors
@@ -185,6 +214,20 @@ mod tests {
         }
         assert_eq!(check(f64::NAN, 1.0, 4), Err(Cause::NotFinite));
         assert_eq!(check(1.0, f64::INFINITY, 4), Err(Cause::NotFinite));
+    }
+
+    #[test]
+    fn of_many_pivots_the_first_that_vanishes_is_named() {
+        assert_eq!(check_all(&[1.0, 2.0, 3.0], &[1.0; 3], &[4, 3, 2]), Ok(()));
+        let cause = check_all(&[1.0, 0.0, f64::NAN], &[1.0; 3], &[4, 3, 2]);
+        assert_eq!(cause, Err(Cause::SingularMassMatrix { pivot: 3, name: Name::NONE }));
+    }
+
+    #[test]
+    fn momenta_of_unit_velocities_are_columns_of_the_mass_matrix() {
+        // p = M v + p₀, as in a frame that moves.
+        let momenta = |v: &[f64; 2]| [3.0 * v[0] + 0.5 * v[1] + 7.0, 0.5 * v[0] + 2.0 * v[1] - 1.0];
+        assert_eq!(mass_of(momenta), SMatrix::from([[3.0, 0.5], [0.5, 2.0]]));
     }
 
     #[test]

@@ -55,7 +55,7 @@ fn matrix(emission: &mut Emission<'_>, name: &str, doc: &str, entries: &[Vec<Nod
 
 fn symbols(emission: &mut Emission<'_>) -> String {
     let count = emission.count();
-    let symbols = christoffel(emission.model, &emission.equations.mass);
+    let symbols = christoffel(emission.model, emission.equations.mass.rows());
     let indices: Vec<[usize; 3]> =
         (0..count).flat_map(|k| (0..count).flat_map(move |i| (0..=i).map(move |j| [k, i, j]))).collect();
     let nodes: Vec<NodeId> = symbols.into_iter().flatten().flatten().collect();
@@ -72,7 +72,7 @@ fn symbols(emission: &mut Emission<'_>) -> String {
     let zero = scalar::zero(&scalar);
     let body = body::plain(emission.model, &scalar, &nodes, Source::State, |values| {
         let mut text = format!("let mut matrices = [[[{zero}; {count}]; {count}]; {count}];\n");
-        for ([k, i, j], value) in indices.iter().zip(values).filter(|&(_, value)| *value != zero) {
+        for ([k, i, j], value) in indices.iter().zip(&values[..]).filter(|&(_, value)| *value != zero) {
             text.push_str(&format!("matrices[{k}][{i}][{j}] = {value};\n"));
         }
         text + "lagrange::analysis::symmetric(matrices)"

@@ -39,7 +39,7 @@ pub(super) fn methods(emission: &mut Emission<'_>, affine: bool) -> String {
 fn velocities(emission: &mut Emission<'_>, affine: bool) -> String {
     let equations = emission.equations;
     let count = emission.count();
-    let mut nodes: Vec<NodeId> = equations.mass.iter().flatten().copied().collect();
+    let mut nodes: Vec<NodeId> = equations.mass.rows().iter().flatten().copied().collect();
     nodes.extend(&equations.momenta);
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, &nodes);
     let scalar = emission.scalar.clone();
@@ -89,7 +89,7 @@ fn canonical(emission: &mut Emission<'_>, place: &str, result: &str) -> String {
     }
     let mut inner = body::prologue(model, scalar, &written.reads, Source::Slices);
     inner.push_str(&body::assemble(&written));
-    inner.push_str(&format!("[{}]", written.outputs.join(", ")));
+    inner.push_str(&written.outputs.list());
     text.push_str(&format!(
         "let rates: {} = {{\n{}\n}};\n::core::result::Result::Ok((velocities, rates))",
         emission.vector_type(),

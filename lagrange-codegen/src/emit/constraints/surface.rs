@@ -1,12 +1,13 @@
 //! `System` of a constrained model, and the runtime's `Surface` and `Constrained`.
 
+use super::super::block::{Evaluation, Values};
 use super::{factored, filled_switches, gradients, gradients_type, pattern, record_ident, saddle_type};
 use crate::emit::block;
 use crate::emit::body::{self, Source};
 use crate::emit::names::Names;
 use crate::emit::{Emission, names_of_parts as names};
 use crate::expr::NodeId;
-use crate::schedule::{Operations, plan};
+use crate::schedule::plan;
 use crate::simplify::simplify;
 use crate::structure::Saddle;
 
@@ -20,13 +21,13 @@ pub(in crate::emit) struct Implementations {
     pub surface: String,
     /// The inherent function that they call, for a system with rows that can be switched off.
     pub parts: String,
-    /// The operations of one evaluation of the accelerations.
-    pub operations: Operations,
+    /// One evaluation of the accelerations.
+    pub evaluation: Evaluation,
 }
 
 /// All implementations.
 pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Implementations {
-    let (equations, constants_type, constants, operations) = equations(emission, method);
+    let (equations, constants_type, constants, evaluation) = equations(emission, method);
     let constants = format!(
         "type Constants = {constants_type};\n#[inline]\nfn constants(&self) -> Self::Constants {{\n{constants}\n}}\n"
     );
@@ -118,7 +119,7 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
         pattern(emission, method),
         gradients_type(emission, method)
     );
-    Implementations { system: system + &project + &lands + &energy, constants, surface, parts, operations }
+    Implementations { system: system + &project + &lands + &energy, constants, surface, parts, evaluation }
 }
 
 /// The body of `equations_at`, and the inherent function with `body`, which evaluates without factoring.
@@ -178,8 +179,9 @@ pub(in crate::emit) fn implementations(emission: &Emission<'_>) -> String {
     )
 }
 
-/// M, A, the forces and γ: the body of `equations_at`, type and body of the constants, and the operations.
-fn equations(emission: &mut Emission<'_>, method: Saddle) -> (String, String, String, Operations) {
+/// M, A, the forces and γ: the body of `equations_at`, type and body of the constants, and the
+/// evaluation.
+fn equations(emission: &mut Emission<'_>, method: Saddle) -> (String, String, String, Evaluation) {
     let equations = emission.equations;
     let (count, held) = (emission.count(), equations.conditions.count());
     let mass = masses(emission, method);
@@ -193,42 +195,40 @@ fn equations(emission: &mut Emission<'_>, method: Saddle) -> (String, String, St
     let program = plan(&model.graph, &roots);
     let mut names = Names::new(model);
     let hoisted = program.hoisted();
-    let (labels, fixed) = body::constants(model, scalar, &program, &hoisted, &mut names);
-    let given: Vec<_> = hoisted.iter().copied().zip(labels.iter().cloned()).collect();
+    let fixed = body::constants(model, scalar, &program, &hoisted);
+    let (labels, given) = body::labels(model, &program, &hoisted, false, &mut names);
     let written = block::write(model, scalar, &program, &program.outputs, &given, &mut names);
 
     let mut text = body::prologue(model, scalar, &written.reads, Source::Slices);
-    if !labels.is_empty() {
-        text.push_str(&format!("let [{}] = *constants;\n", labels.join(", ")));
-    }
+    text.push_str(&labels);
     text.push_str(&body::assemble(&written));
-    let mut outputs = written.outputs.into_iter();
-    let mut take = |count: usize| outputs.by_ref().take(count).collect::<Vec<_>>();
-    text.push_str(&mass_and_gradients(emission, method, take(mass.len()), take(count * held)));
-    let (gamma, forces) = (take(held), take(count));
-    text.push_str(&filled_switches(emission, &take(extra.len())));
-    let (forces, gamma) = (forces.join(", "), gamma.join(", "));
+    let mut outputs = written.outputs;
+    let (mass, gradients) = (outputs.take(mass.len()), outputs.take(count * held));
+    text.push_str(&mass_and_gradients(emission, method, &mass, &gradients));
+    let (gamma, forces) = (outputs.take(held).list(), outputs.take(count).list());
+    text.push_str(&filled_switches(emission, &outputs.take(extra.len())));
     text.push_str(&match method {
         Saddle::Switched { .. } => {
             let shares = if emission.equations.conditions.has_loads() { "shares" } else { "shares: ()" };
             format!(
-                "lagrange::saddle::Parts {{ mass, gradients, coupling, active, {shares}, forces: [{forces}], gamma: [{gamma}] }}"
+                "lagrange::saddle::Parts {{ mass, gradients, coupling, active, {shares}, forces: {forces}, gamma: {gamma} }}"
             )
         }
         Saddle::Diagonal | Saddle::Sparse | Saddle::Whole { .. } => format!(
-            "lagrange::Equations {{ saddle: {}, gradients, forces: [{forces}], gamma: [{gamma}] }}",
+            "lagrange::Equations {{ saddle: {}, gradients, forces: {forces}, gamma: {gamma} }}",
             factored(emission, method)
         ),
     });
     let parameters = body::parameters(model, scalar, &fixed.reads);
-    let constants = format!("{parameters}{}[{}]", body::assemble(&fixed), fixed.outputs.join(", "));
+    let constants = format!("{parameters}{}{}", body::assemble(&fixed), fixed.outputs.list());
     let constants_type = format!("[{scalar}; {}]", hoisted.len());
-    (body::imported(text), constants_type, body::imported(constants), program.operations(false))
+    let evaluation = Evaluation { operations: program.operations(false), loops: written.loops };
+    (body::imported(text), constants_type, body::imported(constants), evaluation)
 }
 
 /// 1 / M of a diagonal mass matrix, or its lower triangle.
 fn masses(emission: &mut Emission<'_>, method: Saddle) -> Vec<NodeId> {
-    let rows = &emission.equations.mass;
+    let rows = emission.equations.mass.rows();
     match method {
         Saddle::Whole { .. } | Saddle::Switched { .. } => rows.iter().flatten().copied().collect(),
         Saddle::Diagonal | Saddle::Sparse => {
@@ -240,16 +240,11 @@ fn masses(emission: &mut Emission<'_>, method: Saddle) -> Vec<NodeId> {
 }
 
 /// Statements that fill `mass` and `gradients`.
-fn mass_and_gradients(
-    emission: &Emission<'_>,
-    method: Saddle,
-    mass: Vec<String>,
-    gradient: Vec<String>,
-) -> String {
+fn mass_and_gradients(emission: &Emission<'_>, method: Saddle, mass: &Values, gradient: &[String]) -> String {
     let (scalar, count) = (&emission.scalar, emission.count());
     let mass = match method {
-        Saddle::Diagonal | Saddle::Sparse => format!("let mass = [{}];\n", mass.join(", ")),
-        Saddle::Whole { .. } | Saddle::Switched { .. } => body::lower_triangle(scalar, count, &mass),
+        Saddle::Diagonal | Saddle::Sparse => format!("let mass = {};\n", mass.list()),
+        Saddle::Whole { .. } | Saddle::Switched { .. } => body::lower_triangle(scalar, count, mass),
     };
     let rows: Vec<Vec<String>> = gradient.chunks(count).map(<[String]>::to_vec).collect();
     mass + &gradients(emission, method, &rows)
@@ -267,8 +262,8 @@ fn residuals(emission: &mut Emission<'_>) -> String {
         let fields = ["positions", "position_sizes", "rates", "rate_sizes"];
         let fields: Vec<String> = fields
             .into_iter()
-            .zip(values.chunks(held))
-            .map(|(name, values)| format!("{name}: [{}]", values.join(", ")))
+            .zip((0..).step_by(held))
+            .map(|(name, first)| format!("{name}: {}", values.part(first..first + held).list()))
             .collect();
         format!("lagrange::Residuals {{ {} }}", fields.join(", "))
     })
@@ -283,9 +278,8 @@ fn saddle(emission: &mut Emission<'_>, method: Saddle) -> String {
     let roots = simplify(&mut emission.model.graph, &mut emission.model.hints, &roots);
     let emission = &*emission;
     body::plain(emission.model, &emission.scalar, &roots, Source::Slices, |values| {
-        let (mass, rest) = values.split_at(split);
-        let (gradient, extra) = rest.split_at(count * held);
-        let filled = mass_and_gradients(emission, method, mass.to_vec(), gradient.to_vec())
+        let (gradient, extra) = values[split..].split_at(count * held);
+        let filled = mass_and_gradients(emission, method, &values.part(0..split), gradient)
             + &filled_switches(emission, extra);
         format!("{filled}({}, gradients)", factored(emission, method))
     })

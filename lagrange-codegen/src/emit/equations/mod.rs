@@ -17,6 +17,7 @@ mod writer;
 use crate::collections::Lookup;
 use crate::emit::Emission;
 use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
+use crate::mechanics::MassMatrix;
 use crate::model::Model;
 use crate::number::Number;
 use formula::{Formula, Page};
@@ -56,7 +57,9 @@ impl Equations {
         let equations = emission.equations;
         let count = emission.count();
         let mut rows = Vec::new();
-        for i in 0..count {
+        // Equations of entries that nothing forms are too long in any case.
+        let written = if matches!(equations.mass, MassMatrix::Known { .. }) { 0 } else { count };
+        for i in 0..written {
             let row = row(emission.model, equations, sides, i);
             let nodes = rows
                 .iter()
@@ -159,11 +162,11 @@ fn row(
     i: usize,
 ) -> (Vec<NodeId>, Vec<NodeId>) {
     let graph = &mut model.graph;
-    let count = equations.mass.len();
+    let count = equations.momenta.len();
     let mut left: Vec<NodeId> = (0..count)
         .map(|j| {
             let a = graph.variable(Variable::Acceleration(j as u32));
-            graph.mul(equations.mass[i.max(j)][i.min(j)], a)
+            graph.mul(equations.mass.rows()[i.max(j)][i.min(j)], a)
         })
         .collect();
     left.push(sides.bias[i]);

@@ -28,9 +28,9 @@ pub(super) fn constants(
     outputs.extend(constant().flat_map(|(_, _, entries)| entries));
     let mut names = Names::new(model);
     let block = block::write(model, scalar, &expansion.program, &outputs, &[], &mut names);
-    let (scalars, mut entries) = block.outputs.split_at(hoisted.len());
-    let mut ty = format!("[{scalar}; {}]", scalars.len());
-    let mut value = format!("[{}]", scalars.join(", "));
+    let mut ty = format!("[{scalar}; {}]", hoisted.len());
+    let mut value = block.outputs.part(0..hoisted.len()).list();
+    let mut entries = &block.outputs[hoisted.len()..];
     let (mut types, mut factors) = (String::new(), String::new());
     for (name, solver, own) in constant() {
         let (texts, rest) = entries.split_at(own.len());

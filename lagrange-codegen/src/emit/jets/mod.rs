@@ -10,7 +10,7 @@ mod names;
 mod solvers;
 mod tiles;
 
-use super::block::Writer;
+use super::block::{Known, Writer};
 use super::gather::gather;
 use super::names::{Names, describe};
 use super::{Emission, body, scalar, turning};
@@ -35,15 +35,13 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
     let emission = &*emission;
     let (model, scalar, count) = (&*emission.model, &emission.scalar, emission.count());
     let mut names = Names::new(model);
-    let of = Of::new(model, jets, expansion, &mut names);
+    let of = Of::new(emission, jets, expansion, &mut names);
     let outputs = Outputs::of(expansion);
     let all = outputs.all();
     let hoisted = expansion.program.settled(Phase::Run, &all);
     let (constants_type, constants_body) = constants::constants(emission, expansion, &hoisted);
-    let labels: Vec<String> =
-        hoisted.iter().map(|&slot| names.claim(describe(model, &expansion.program, slot, 0))).collect();
-
-    let mut known: Vec<(Slot, String)> = hoisted.iter().copied().zip(labels.iter().cloned()).collect();
+    let factored = constants_type.starts_with('(');
+    let (labels, mut known) = body::labels(model, &expansion.program, &hoisted, factored, &mut names);
     known.extend(given(expansion, &of));
     let mut writer = Writer::new(model, scalar, &expansion.program, &all, &known);
     wishes(model, expansion, &of, &mut writer);
@@ -52,11 +50,7 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
 
     let reads = &writer.reads;
     let mut text = turning::entry(emission) + &body::prologue(model, scalar, reads, body::Source::Slices);
-    let factored = constants_type.starts_with('(');
-    if !labels.is_empty() {
-        let place = if factored { "constants.0" } else { "*constants" };
-        text.push_str(&format!("let [{}] = {place};\n", labels.join(", ")));
-    }
+    text.push_str(&labels);
     text.push_str(&statements);
     let (tables, items) = match &expansion.sums {
         Sums::Many(tiles) => (
@@ -97,7 +91,7 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
          series: &mut lagrange::Series<{scalar}, {count}, ORDERS>,\n) -> bool {{\n{items}{}\n}}\n{reactions}",
         if jets.is_steep { "const STEEP: bool = true;\n" } else { "" },
         if shares_pivots { "const SHARES_PIVOTS: bool = true;\n" } else { "" },
-        named(factored || !labels.is_empty(), "constants"),
+        named(factored || !hoisted.is_empty(), "constants"),
         named(reads.time, "t"),
         named(reads.coordinates.contains(&true) || !emission.solved.turning.is_empty(), "q"),
         named(reads.inputs.contains(&true), "u"),
@@ -145,29 +139,16 @@ impl Outputs {
     }
 }
 
-/// The texts of the slots that an order is given.
-fn given(expansion: &Expansion, of: &Of) -> Vec<(Slot, String)> {
-    let text = |given: Given| match given {
-        Given::Rate => "rate".to_owned(),
-        Given::Index => "index".to_owned(),
-        Given::Time => of.time.clone(),
-        Given::Convolution(index) => match &expansion.sums {
-            Sums::Few(_) => format!("inner[{index}]"),
-            Sums::Many(tiles) => format!("inner[{}]", tiles.convolutions[index as usize]),
-        },
-        Given::Carried(place) => of.carried[place as usize].clone(),
-        Given::Velocity(i) => of.velocities[i as usize].clone(),
-        Given::Impulse(c) => of.impulses[c as usize].clone(),
-        Given::Multiplier(c) => of.multipliers[c as usize].clone(),
+/// The texts of the slots that an order is given, with their places and kinds.
+fn given(expansion: &Expansion, of: &Of) -> Vec<Known> {
+    let text = |slot: Slot| match expansion.program.instruction(slot) {
+        Instruction::Given(given) => {
+            let (text, element, kind) = of.given(expansion, given);
+            Some(Known { slot, text, place: element.map(|element| (element, kind)) })
+        }
+        _ => None,
     };
-    expansion
-        .program
-        .slots()
-        .filter_map(|slot| match expansion.program.instruction(slot) {
-            Instruction::Given(given) => Some((slot, text(given))),
-            _ => None,
-        })
-        .collect()
+    expansion.program.slots().filter_map(text).collect()
 }
 
 /// Names for coefficients, and for values without a name of their own.
@@ -209,9 +190,15 @@ impl Pass<'_> {
         let (start, solvers) = solvers::start(emission, expansion, writer, names);
         text.push_str(&start);
         let scalar = &emission.scalar;
-        for (carried, name) in expansion.carried.iter().zip(&of.carried) {
-            let value = writer.output(carried.start);
-            text.push_str(&format!("let mut {name}: {scalar} = {};\n", value));
+        let starts =
+            |places: &[usize]| places.iter().map(|&place| expansion.carried[place].start).collect::<Vec<_>>();
+        for &place in &of.carried.single {
+            let (name, value) = (&of.carried.values[place], writer.output(expansion.carried[place].start));
+            text.push_str(&format!("let mut {name}: {scalar} = {value};\n"));
+        }
+        for (name, places) in &of.carried.arrays {
+            let values = writer.list(&starts(places));
+            text.push_str(&format!("let mut {name}: [{scalar}; {}] = {values};\n", places.len()));
         }
         let (before, sums) = self.sums(scalar);
         text.push_str(&before);
@@ -247,12 +234,12 @@ impl Pass<'_> {
         text.push_str(&solvers::order(emission, expansion, &solvers, writer, of));
         text.push_str(&lines(writer.part(&outputs.solution, names)));
         if reacting(expansion).is_some() {
-            text.push_str(&format!("reactions.set(order, [{}]);\n", of.multipliers.join(", ")));
+            text.push_str(&format!("reactions.set(order, {});\n", of.multipliers.1.list()));
         }
         text.push_str(&format!(
-            "series.set(order, [{}], [{}]);\nif order == orders {{\nreturn false;\n}}\n",
-            writer.outputs(&expansion.coordinates).join(", "),
-            writer.outputs(&expansion.velocities).join(", ")
+            "series.set(order, {}, {});\nif order == orders {{\nreturn false;\n}}\n",
+            writer.list(&expansion.coordinates),
+            writer.list(&expansion.velocities)
         ));
         text.push_str(&lines(writer.part(&outputs.end, names)));
         text.push_str(&self.store(writer));
@@ -295,16 +282,26 @@ impl Pass<'_> {
             }
             Sums::Many(tiles) => {
                 text.push_str("if let ::core::option::Option::Some(row) = tables.row(order) {\n");
-                for &(place, factor) in &tiles.factors {
-                    let value = writer.output(expansion.factors[factor].coefficient);
-                    text.push_str(&format!("row[{place}] = {value};\n"));
-                }
+                let (places, factors): (Vec<usize>, Vec<Slot>) = tiles
+                    .factors
+                    .iter()
+                    .map(|&(place, factor)| (place, expansion.factors[factor].coefficient))
+                    .unzip();
+                text.push_str(&writer.values(&factors).fill("row", &places));
                 text.push_str("}\n");
             }
         }
-        let next: Vec<String> = expansion.carried.iter().map(|carried| writer.output(carried.next)).collect();
         // All are assigned at once, since one may be made from the previous value of another.
-        text.push_str(&format!("[{}] = [{}];\n", self.of.carried.join(", "), next.join(", ")));
+        let kept = &self.of.carried;
+        let next =
+            |places: &[usize]| places.iter().map(|&place| expansion.carried[place].next).collect::<Vec<_>>();
+        let mut names: Vec<&str> = kept.arrays.iter().map(|(name, _)| name.as_str()).collect();
+        let mut values: Vec<String> =
+            kept.arrays.iter().map(|(_, places)| writer.list(&next(places))).collect();
+        names.extend(kept.single.iter().map(|&place| kept.values[place].as_str()));
+        values.extend(writer.outputs(&next(&kept.single)));
+        let (open, close) = if kept.arrays.is_empty() { ("[", "]") } else { ("(", ")") };
+        text.push_str(&format!("{open}{}{close} = {open}{}{close};\n", names.join(", "), values.join(", ")));
         text
     }
 }

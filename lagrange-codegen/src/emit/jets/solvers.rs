@@ -54,8 +54,8 @@ pub(super) fn start(
     let mut text = String::new();
     if !expansion.pivots.is_empty() {
         text.push_str(&format!(
-            "if !lagrange::solve::are_finite(&[{}]) {{ return false; }}\n",
-            writer.outputs(&expansion.pivots).join(", ")
+            "if !lagrange::solve::are_finite(&{}) {{ return false; }}\n",
+            writer.list(&expansion.pivots)
         ));
     }
     let mut solvers = Vec::with_capacity(expansion.solvers.len());
@@ -91,10 +91,10 @@ pub(super) fn start(
                     })
                     .collect();
                 text.push_str(&format!(
-                    "let {name} = lagrange::Inverse::<{scalar}, {size}>::of::<{between}>(&[{}], &[{}]);\n\
+                    "let {name} = lagrange::Inverse::<{scalar}, {size}>::of::<{between}>(&[{}], &{});\n\
                      if !{name}.is_finite() {{ return false; }}\n",
                     steps.join(", "),
-                    writer.outputs(factors).join(", ")
+                    writer.list(factors)
                 ));
                 name
             }
@@ -109,7 +109,7 @@ pub(super) fn start(
 
 fn saddle_start(emission: &Emission<'_>, saddle: &SaddlePoint, writer: &Writer<'_>) -> String {
     let (scalar, count, held) = (&emission.scalar, emission.count(), saddle.gradients.len());
-    let mass = writer.outputs(&saddle.mass);
+    let mass = writer.values(&saddle.mass);
     let rows: Vec<Vec<String>> = saddle.gradients.iter().map(|row| writer.outputs(row)).collect();
     // A single row cannot depend on others.
     let noted = |independence: String| match held {
@@ -118,9 +118,9 @@ fn saddle_start(emission: &Emission<'_>, saddle: &SaddlePoint, writer: &Writer<'
     };
     if saddle.method == Saddle::Sparse {
         return format!(
-            "let mass = [{}];\n{}let {SADDLE} = {};\n\
+            "let mass = {};\n{}let {SADDLE} = {};\n\
              if lagrange::constraints::is_singular(&{SADDLE}) {{ return false; }}\n{}",
-            mass.join(", "),
+            mass.list(),
             constraints::gradients(emission, saddle.method, &rows),
             constraints::factored(emission, saddle.method),
             noted(format!("lagrange::constraints::independence(&{SADDLE})"))
@@ -130,10 +130,10 @@ fn saddle_start(emission: &Emission<'_>, saddle: &SaddlePoint, writer: &Writer<'
     let gradients = format!("[{}]", rows.join(", "));
     if saddle.method == Saddle::Diagonal {
         return format!(
-            "{}let {SADDLE} = lagrange::saddle::Schur::<{scalar}, {held}>::factor::<{count}>(mass, || ([{}], {gradients}));\n\
+            "{}let {SADDLE} = lagrange::saddle::Schur::<{scalar}, {held}>::factor::<{count}>(mass, || ({}, {gradients}));\n\
              if !{SADDLE}.is_finite() || {SADDLE}.vanishing().is_some() {{ return false; }}\n{}",
             body::lower_triangle(scalar, held, &writer.outputs(&saddle.schur)),
-            mass.join(", "),
+            mass.list(),
             noted(format!("{SADDLE}.independence()"))
         );
     }
@@ -156,36 +156,36 @@ pub(super) fn order(
     of: &Of,
 ) -> String {
     let mut text = String::new();
-    let listed = |slots: &[Slot]| writer.outputs(slots).join(", ");
-    for (solver, name) in expansion.solvers.iter().zip(solvers) {
-        let velocities: Vec<&str> = solver.coordinates.iter().map(|&i| of.velocities[i].as_str()).collect();
-        text.push_str(&format!(
-            "let [{}] = {name}.solve([{}]);\n",
-            velocities.join(", "),
-            listed(&solver.right)
-        ));
+    for ((solver, name), (velocities, _)) in expansion.solvers.iter().zip(solvers).zip(&of.velocities) {
+        text.push_str(&format!("let {velocities} = {name}.solve({});\n", writer.list(&solver.right)));
     }
     let Some(saddle) = &expansion.saddle else { return text };
-    let (impulses, conditions) = (of.impulses.join(", "), listed(&saddle.conditions));
+    let ((impulses, _), conditions) = (&of.impulses, writer.list(&saddle.conditions));
+    let velocities = of.velocities.first().map_or("", |(pattern, _)| pattern);
     text.push_str(&match saddle.method {
         Saddle::Diagonal => {
-            format!("let [{impulses}] = {SADDLE}.solve_order(order, &mass, [{conditions}]);\n")
+            format!("let {impulses} = {SADDLE}.solve_order(order, &mass, {conditions});\n")
         }
-        Saddle::Sparse => format!("let [{impulses}] = {SADDLE}.solve_order(order, [{conditions}]);\n"),
+        Saddle::Sparse => format!("let {impulses} = {SADDLE}.solve_order(order, {conditions});\n"),
         Saddle::Switched { .. } if emission.solved.conditions.has_loads() => format!(
-            "let ([{}], [{impulses}]) = {SADDLE}.solve_order(order, rate, reactions.rows(), &[{}], &[{conditions}]);\n",
-            of.velocities.join(", "),
-            listed(&saddle.momenta)
+            "let ({velocities}, {impulses}) = {SADDLE}.solve_order(order, rate, reactions.rows(), &{}, &{conditions});\n",
+            writer.list(&saddle.momenta)
         ),
         Saddle::Whole { .. } | Saddle::Switched { .. } => format!(
-            "let ([{}], [{impulses}]) = lagrange::saddle::SaddlePoint::{}(&{SADDLE}, &[{}], &[{conditions}]);\n",
-            of.velocities.join(", "),
+            "let ({velocities}, {impulses}) = lagrange::saddle::SaddlePoint::{}(&{SADDLE}, &{}, &{conditions});\n",
             if saddle.switches.is_empty() { "solve" } else { "solve_motion" },
-            listed(&saddle.momenta)
+            writer.list(&saddle.momenta)
         ),
     });
-    for (multiplier, impulse) in of.multipliers.iter().zip(&of.impulses) {
-        text.push_str(&format!("let {multiplier} = lagrange::jets::multiplier({impulse}, rate);\n"));
+    if let Some(Some(_)) = of.multipliers.1.elements.first() {
+        let multipliers = &of.multipliers.0;
+        text.push_str(&format!(
+            "let {multipliers} = {impulses}.map(|impulse| lagrange::jets::multiplier(impulse, rate));\n"
+        ));
+    } else {
+        for (multiplier, impulse) in of.multipliers.1.iter().zip(&of.impulses.1[..]) {
+            text.push_str(&format!("let {multiplier} = lagrange::jets::multiplier({impulse}, rate);\n"));
+        }
     }
     text
 }

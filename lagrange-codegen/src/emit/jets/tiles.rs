@@ -14,9 +14,9 @@ pub(super) fn items(model: &Model, tiles: &Tiles, factors: &[Factor], of: &Of) -
          #[inline(always)]\n\
          fn sum<R: lagrange::Real>(rows: &[[R; {columns}]], sums: &mut [R; {sums}]) {{\n"
     );
-    for &Tile { pattern, width, used, base, first } in &tiles.tiles {
+    for &Tile { pattern, width, used, stride, base, first } in &tiles.tiles {
         text.push_str(&format!(
-            "lagrange::jets::tile::<Pattern{pattern}, _, _, _, {width}, {}>(rows, sums, ({base}, {first}, {used}));\n",
+            "lagrange::jets::tile::<Pattern{pattern}, _, _, _, {width}, {}>(rows, sums, ({base}, {first}, {used}, {stride}));\n",
             patterns[pattern].products.len()
         ));
     }

@@ -16,7 +16,7 @@ pub(super) fn coefficients(emission: &Emission<'_>, switching: &mut Regimes) -> 
     let (rows, kinks) = (switching.rows(), switching.kinks.len());
     let lists = coefficients.iter().flat_map(|coefficients| [&coefficients.kinetic, &coefficients.fixed]);
     let roots: Vec<NodeId> = lists.flatten().copied().collect();
-    switching.rows.locals = names::locals(&switching.rows);
+    switching.rows.locals = names::locals(&switching.rows, emission.item.least_loop);
     let body = body::plain(&switching.rows, scalar, &roots, Source::Slices, |values| {
         let mut lists = values.chunks(rows).map(|values| values.join(", "));
         let mut coefficients = || {

@@ -56,7 +56,7 @@ pub(super) fn breaks(emission: &Emission<'_>, switching: &Regimes) -> String {
     let (scalar, vector, inputs) = (&emission.scalar, emission.vector_type(), emission.input_type());
     let roots: Vec<NodeId> = switching.breaks.iter().map(|jump| jump.gain).collect();
     let body = body::plain(&switching.rows, scalar, &roots, Source::Slices, |gains| {
-        let visits = switching.breaks.iter().zip(gains);
+        let visits = switching.breaks.iter().zip(&gains[..]);
         let visits = visits.map(|(jump, gain)| format!("__visit({}, {}, {gain});", jump.kink, jump.row));
         visits.collect::<Vec<String>>().join("\n")
     });

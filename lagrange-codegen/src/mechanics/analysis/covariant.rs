@@ -34,7 +34,7 @@ impl Covariant {
     /// Differentiates the momenta; `None` if the mass matrix depends on velocities.
     pub fn of(model: &mut Model, equations: &Equations) -> Option<Covariant> {
         let graph = &mut model.graph;
-        let mass = &equations.mass;
+        let mass = equations.mass.rows();
         let moving = |&entry: &NodeId| graph.dependence(entry).meets(Dependence::VELOCITIES);
         if mass.iter().flatten().any(moving) {
             return None;

@@ -33,7 +33,7 @@ impl Inertia {
     /// Takes the kinetic energy apart.
     pub fn of(model: &mut Model, equations: &Equations, covariant: &Covariant) -> Inertia {
         let graph = &mut model.graph;
-        let count = equations.mass.len();
+        let count = equations.momenta.len();
         let mut all = |variable: fn(u32) -> Variable| -> Vec<NodeId> {
             (0..count as u32).map(|i| graph.variable(variable(i))).collect()
         };
@@ -53,7 +53,7 @@ impl Inertia {
         let relative = (0..count)
             .map(|i| {
                 let terms: Vec<_> = (0..count)
-                    .map(|j| (graph.mul(equations.mass[i.max(j)][i.min(j)], a[j]), Number::MINUS_ONE))
+                    .map(|j| (graph.mul(equations.mass.rows()[i.max(j)][i.min(j)], a[j]), Number::MINUS_ONE))
                     .collect();
                 graph.sum(Number::ZERO, &terms)
             })

@@ -40,8 +40,8 @@ impl Regressor {
                 None => groups.push((value, vec![(monomial, scale)])),
             }
         }
-        let count = equations.mass.len() as u32;
-        let direction = time_direction(graph, equations.mass.len());
+        let count = equations.momenta.len() as u32;
+        let direction = time_direction(graph, equations.momenta.len());
         let q: Vec<NodeId> = (0..count).map(|i| graph.variable(Variable::Coordinate(i))).collect();
         let v: Vec<NodeId> = (0..count).map(|i| graph.variable(Variable::Velocity(i))).collect();
         let a: Vec<NodeId> = (0..count).map(|i| graph.variable(Variable::Acceleration(i))).collect();

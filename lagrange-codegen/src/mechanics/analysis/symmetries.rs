@@ -99,7 +99,7 @@ pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
         return Vec::new();
     };
     // A force on a coordinate is weighed by the coordinate's momenta, since masses may differ by many orders.
-    let weights: Vec<f64> = (0..equations.mass.len())
+    let weights: Vec<f64> = (0..equations.momenta.len())
         .map(|i| {
             let largest =
                 samples.iter().fold(0.0, |largest: f64, sample| largest.max(sample.momenta[i].value.abs()));
@@ -141,7 +141,7 @@ pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
 /// The unknowns: all of S for few coordinates, rotations if M is diagonal, else translations alone.
 fn unknowns(model: &Model, equations: &Equations) -> Vec<Unknown> {
     let graph = &model.graph;
-    let mass = &equations.mass;
+    let mass = equations.mass.rows();
     let count = mass.len();
     // Linear functions of an orientation's numbers have no meaning.
     let plain: Vec<usize> = (0..count).filter(|&i| !orientation::holds(&model.orientations, i)).collect();
@@ -187,7 +187,7 @@ struct Sample {
 
 impl Sample {
     fn draw(model: &Model, equations: &Equations, noise: &mut Noise, attempt: usize, scale: f64) -> Sample {
-        let count = equations.mass.len();
+        let count = equations.momenta.len();
         // Roots and logarithms may need positive coordinates.
         let low = if attempt.is_multiple_of(2) { -1.5 } else { 0.1 };
         let mut draw = |count: usize, low: f64, high: f64| -> Vec<f64> {

@@ -3,7 +3,8 @@
 use super::matching::Matching;
 use crate::calculus::velocity_degrees;
 use crate::diagnostics::{Diagnostics, physics};
-use crate::expr::{NodeId, Variable};
+use crate::expr::Variable;
+use crate::mechanics::{Equations, MassMatrix};
 use crate::model::Model;
 
 /// Reports coordinates without inertia, unless a constraint of its own determines each, and coordinates whose
@@ -11,10 +12,21 @@ use crate::model::Model;
 /// matrix (M Aᵀ; A 0) must be regular.
 pub(in crate::mechanics) fn inertia(
     model: &Model,
-    mass: &[Vec<NodeId>],
+    equations: &Equations,
     rows: &[Vec<bool>],
     diagnostics: &mut Diagnostics,
 ) {
+    let mass = match &equations.mass {
+        MassMatrix::Formed(mass) => mass,
+        // A recursion finds what is singular.
+        MassMatrix::Known { .. } => {
+            let without = |i: &usize| model.graph.is_zero(equations.momenta[*i]);
+            for coordinate in (0..model.coordinates.len()).filter(without).map(|i| &model.coordinates[i]) {
+                diagnostics.at(coordinate.origin, physics::no_inertia(&coordinate.written(), false));
+            }
+            return;
+        }
+    };
     let inertial = |i: usize, j: usize| !model.graph.is_zero(mass[i.max(j)][i.min(j)]);
     let (count, held) = (mass.len(), rows.len());
     let mut determined =

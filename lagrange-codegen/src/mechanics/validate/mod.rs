@@ -11,6 +11,7 @@ pub(super) use inertia::inertia;
 use crate::calculus::beyond_degree;
 use crate::diagnostics::{Diagnostics, Origin, physics};
 use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
+use crate::mechanics::Equations;
 use crate::model::{Action, Attitude, Law, Model};
 use crate::number::Number;
 
@@ -136,6 +137,9 @@ pub(super) fn constants(model: &Model, diagnostics: &mut Diagnostics) {
     }
     roots.extend(model.constraints.iter().map(|constraint| (constraint.value, constraint.origin)));
     roots.extend(model.eliminated.iter().map(|eliminated| (eliminated.position, eliminated.quantity.origin)));
+    if graph.cone(roots.iter().map(|&(root, _)| root)).into_iter().all(|id| is_number(graph, id)) {
+        return;
+    }
     for (root, origin) in roots {
         let broken = graph.cone([root]).into_iter().find(|&id| !is_number(graph, id));
         if let Some(node) = broken {
@@ -166,8 +170,7 @@ fn is_number(graph: &Graph, id: NodeId) -> bool {
 /// Reports inputs that appear in no equation and in no law of a contact.
 pub(super) fn inputs(
     model: &Model,
-    force: &[NodeId],
-    mass: &[Vec<NodeId>],
+    equations: &Equations,
     allows: &dyn Fn(&str) -> bool,
     diagnostics: &mut Diagnostics,
 ) {
@@ -178,7 +181,9 @@ pub(super) fn inputs(
         Law::Unilateral { restitution, .. } => [restitution; 2],
         Law::Friction { kinetic, fixed, .. } => [kinetic, fixed],
     });
-    let roots: Vec<NodeId> = force.iter().chain(mass.iter().flatten()).copied().chain(laws).collect();
+    // What the mass matrix depends on, the momenta do.
+    let force = equations.force.iter().chain(&equations.momenta).copied();
+    let roots: Vec<NodeId> = force.chain(equations.mass.entries()).chain(laws).collect();
     let used = used_inputs(&model.graph, &roots, model.inputs.len());
     for (input, used) in model.inputs.iter().zip(used) {
         if !used {

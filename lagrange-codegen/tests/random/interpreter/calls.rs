@@ -23,6 +23,10 @@ impl Interpreter<'_> {
             ("lagrange::solve::check", [value, scale, Value::Integer(_)]) => {
                 Ok(Value::verdict(carries(value.number()?, scale.number()?)))
             }
+            ("lagrange::solve::check_all", [values, scales, _]) => {
+                let pairs = values.to_numbers()?.into_iter().zip(scales.to_numbers()?);
+                Ok(Value::verdict(pairs.into_iter().all(|(value, scale)| carries(value, scale))))
+            }
             ("lagrange::solve::factor", [lower]) => Ok(Value::Factored(symmetric(&lower.to_rows()?)?)),
             ("lagrange::solve::symmetric", [lower]) => Ok(Value::rows(&symmetric(&lower.to_rows()?)?)),
             ("lagrange::solve::solve", [Value::Factored(matrix), right]) => {

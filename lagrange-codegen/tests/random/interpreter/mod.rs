@@ -7,6 +7,7 @@
 mod calls;
 mod constrained;
 mod derivatives;
+mod loops;
 mod patterns;
 mod screws;
 mod series;
@@ -199,7 +200,12 @@ impl Interpreter<'_> {
                 }
             }
             Expr::Binary(binary) => {
-                let (left, right) = (self.number(&binary.left, locals)?, self.number(&binary.right, locals)?);
+                let (left, right) =
+                    (self.expression(&binary.left, locals)?, self.expression(&binary.right, locals)?);
+                if let (Value::Integer(left), Value::Integer(right)) = (&left, &right) {
+                    return loops::index(binary, *left, *right);
+                }
+                let (left, right) = (left.number()?, right.number()?);
                 match binary.op {
                     BinOp::Add(_) => Ok(Value::Number(left + right)),
                     BinOp::Sub(_) => Ok(Value::Number(left - right)),
@@ -208,6 +214,7 @@ impl Interpreter<'_> {
                     _ => unknown(text(binary)),
                 }
             }
+            Expr::ForLoop(all) => self.iterate(all, locals),
             Expr::Array(array) => Ok(Value::List(self.expressions(&array.elems, locals)?)),
             Expr::Tuple(tuple) => Ok(Value::List(self.expressions(&tuple.elems, locals)?)),
             Expr::Repeat(repeat) => {
@@ -239,11 +246,16 @@ impl Interpreter<'_> {
             }
             Expr::Assign(assign) => {
                 let value = self.expression(&assign.right, locals)?;
-                if let (Expr::Array(places), Value::List(values)) = (&*assign.left, &value) {
-                    if places.elems.len() != values.len() {
+                let places = match &*assign.left {
+                    Expr::Array(places) => Some(&places.elems),
+                    Expr::Tuple(places) => Some(&places.elems),
+                    _ => None,
+                };
+                if let (Some(places), Value::List(values)) = (places, &value) {
+                    if places.len() != values.len() {
                         return unknown(text(assign));
                     }
-                    for (place, value) in places.elems.iter().zip(values) {
+                    for (place, value) in places.iter().zip(values) {
                         *self.place(place, locals)? = value.clone();
                     }
                     return Ok(Value::Unit);
@@ -295,6 +307,8 @@ impl Interpreter<'_> {
                 self.call_path(&path_of(&call.func), arguments)
             }
             Expr::MethodCall(call) if call.method == "is_some" => Ok(Value::Truth(false)),
+            Expr::MethodCall(call) if call.method == "copy_from_slice" => self.copy(call, locals),
+            Expr::MethodCall(call) if call.method == "map" => self.map(call, locals),
             Expr::MethodCall(call) => {
                 if let Some(value) = self.of_struct(call, locals) {
                     return value;
@@ -345,6 +359,7 @@ impl Interpreter<'_> {
                 self.place(&index.expr, locals)?.at(&indices)
             }
             Expr::Field(field) => self.place(&field.base, locals)?.field_mut(&text(&field.member)),
+            Expr::Paren(inner) => self.place(&inner.expr, locals),
             // A box is transparent here.
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => self.place(&unary.expr, locals),
             _ => unknown(text(expr)),

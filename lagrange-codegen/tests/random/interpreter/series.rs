@@ -11,6 +11,12 @@ use crate::oracle::gauss;
 /// The variable that holds the order of a pass.
 const TABLES: &str = "tables";
 
+/// Where the length of their rows is kept; not a name of emitted code.
+const COLUMNS: &str = "columns of the tables";
+
+/// What emitted code calls the row that it fills.
+const ROW: &str = "row";
+
 impl Interpreter<'_> {
     /// The coefficients of the orders 1 to `orders`; `None` where the equations have no solution.
     pub fn series(&self, h: f64, orders: usize) -> Run<Option<Value>> {
@@ -35,6 +41,8 @@ impl Interpreter<'_> {
             };
             locals.insert(name, value);
         }
+        let signature = numbers_in(&text(&function.sig));
+        locals.insert(COLUMNS.to_owned(), Value::Integer(signature.iter().copied().max().unwrap_or(0)));
         let items: Vec<&Item> = function
             .block
             .stmts
@@ -181,8 +189,8 @@ impl Interpreter<'_> {
         let tables = self.expression(&call.receiver, locals)?;
         let rows = tables.field("rows")?.list()?;
         let entry = |order: usize, column: usize| match rows.get(order - 1) {
-            Some(Value::Record(row)) => row.get(&column.to_string()).map_or(Ok(f64::NAN), Value::number),
-            other => unknown(format!("the row {other:?}")),
+            Some(row) => row.list()?.get(column).map_or(Ok(f64::NAN), Value::number),
+            None => unknown(format!("the row of order {order}")),
         };
         for product in tables.field("products")?.list()? {
             let place = product.to_indices()?;
@@ -198,14 +206,13 @@ impl Interpreter<'_> {
     /// `if condition { … }`, and a row of the tables that is filled.
     pub(super) fn conditional(&self, branch: &ExprIf, locals: &mut Locals) -> Run<Value> {
         if let Expr::Let(_) = &*branch.cond {
-            let mut row = BTreeMap::new();
-            for statement in &branch.then_branch.stmts {
-                let Stmt::Expr(Expr::Assign(assign), _) = statement else { return unknown(text(statement)) };
-                let Expr::Index(index) = &*assign.left else { return unknown(text(assign)) };
-                row.insert(text(&index.index), self.expression(&assign.right, locals)?);
-            }
-            let Some(tables) = locals.get_mut(TABLES) else { return unknown("no tables") };
-            tables.field_mut("rows")?.push(Value::Record(row))?;
+            let Some(Value::Integer(columns)) = locals.get(COLUMNS) else { return unknown("no columns") };
+            locals.insert(ROW.to_owned(), Value::numbers(&vec![f64::NAN; *columns]));
+            self.block(&branch.then_branch, locals)?;
+            let (Some(row), Some(tables)) = (locals.remove(ROW), locals.get_mut(TABLES)) else {
+                return unknown("no tables");
+            };
+            tables.field_mut("rows")?.push(row)?;
             return Ok(Value::Unit);
         }
         match self.expression(&branch.cond, locals)? {
@@ -233,17 +240,12 @@ fn implementations<'i>(
 fn tiles(sum: &ImplItemFn, patterns: &[(String, &ImplItemFn)]) -> Run<Vec<[usize; 3]>> {
     let mut lanes = Vec::new();
     for statement in &sum.block.stmts {
-        // lagrange::jets::tile::<Pattern, _, _, _, W, M>(rows, sums, (base, first, used));
+        // lagrange::jets::tile::<Pattern, _, _, _, W, M>(rows, sums, (base, first, used, stride));
         let Stmt::Expr(Expr::Call(call), _) = statement else { return unknown(text(statement)) };
-        let words = numbers_in(&text(call));
         let Some(Expr::Tuple(place)) = call.args.last() else { return unknown(text(call)) };
-        let [base, first, used] = numbers_in(&text(place))[..] else { return unknown(text(place)) };
+        let [base, first, used, stride] = numbers_in(&text(place))[..] else { return unknown(text(place)) };
         let Some((_, pattern)) = patterns.iter().find(|(name, _)| text(call).contains(&format!("<{name},")))
         else {
-            return unknown(text(call));
-        };
-        // The width is the fifth number from the end.
-        let Some(&width) = words.len().checked_sub(5).and_then(|at| words.get(at)) else {
             return unknown(text(call));
         };
         let mut columns: BTreeMap<String, usize> = BTreeMap::new();
@@ -265,7 +267,7 @@ fn tiles(sum: &ImplItemFn, patterns: &[(String, &ImplItemFn)]) -> Run<Vec<[usize
                     };
                     let (a, b) = (at(names.first())?, at(names.last())?);
                     for i in 0..used {
-                        lanes.push([base + a + i, base + b + i, first + product * width + i]);
+                        lanes.push([base + a + i, base + b + i, first + product * stride + i]);
                     }
                     product += 1;
                 }
