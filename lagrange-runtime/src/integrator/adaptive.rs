@@ -195,7 +195,7 @@ where
         let landed = match memory.step(self, limits, target, exactly, attempts) {
             Ok(()) => self.land(memory, limits, target, (ground, natural), attempts),
             Err(MotionError { cause: Cause::Undetermined { .. } | Cause::StepTooSmall, .. })
-                if self.passes(memory, limits, target, &ground.here, attempts) =>
+                if self.passes(memory, limits, target, ground, attempts) =>
             {
                 Ok(())
             }
@@ -217,7 +217,7 @@ where
         memory: &mut Dop853Memory<S::Scalar, N>,
         limits: &Limits<S::Scalar>,
         target: S::Scalar,
-        (Ground { here, determined }, natural): (Ground<S::Scalar>, S::Scalar),
+        (ground, natural): (Ground<S::Scalar>, S::Scalar),
         attempts: &mut u64,
     ) -> Result<(), MotionError<S::Scalar>> {
         let from = memory.start.state;
@@ -229,7 +229,8 @@ where
         let resolution =
             S::Scalar::from_f64(4.0) * S::Scalar::epsilon() * from.t.abs() + step_size::smallest();
         let longest = larger(natural, length);
-        let mut lengths = Lengths::new(determined, &here, limits.relative, [longest, longest, length]);
+        let mut lengths =
+            Lengths::new(ground.determined, &ground.here, limits.relative, [longest, longest, length]);
         let mut is_first = true;
         loop {
             let (next, cause) = match lengths.judge(&check, length, check.land(&memory.end.state, None)) {
@@ -245,7 +246,7 @@ where
             // other.
             if is_first {
                 memory.rewind();
-                if self.passes(memory, limits, target, &here, attempts) {
+                if self.passes(memory, limits, target, ground, attempts) {
                     return Ok(());
                 }
             }

@@ -131,8 +131,6 @@ where
 {
     type Memory = JetsMemory<S::JetConstants, S::Tables<HIGHEST>, S::Scalar, N>;
 
-    const PASSES: bool = true;
-
     #[inline]
     fn begin(system: &S, start: State<S::Scalar, N>) -> Self::Memory
     where
@@ -175,6 +173,25 @@ where
         memory.prepare(limits);
         step(memory, system, constants, control, limits, t, attempts)
             .map_err(|cause| failed(memory, system, constants, cause))
+    }
+
+    #[cold]
+    fn pass(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &Held<S::Scalar, K>,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> bool
+    where
+        S::Scalar: Ordered,
+    {
+        memory.prepare(limits);
+        let across = (t - memory.start.t, singular::ACROSS);
+        singular::start(memory, system, constants, control, limits, across) == Ok(true)
+            || step(memory, system, constants, control, limits, t, attempts).is_ok()
     }
 
     #[inline]
@@ -266,5 +283,40 @@ where
             system.project_at(constants, &mut state, None).map_err(failed)?;
         }
         Ok(state)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_term_is_a_fifth_of_the_tolerance_and_near_rounding_a_thousandth_of_an_ulp() {
+        let ulp = f64::EPSILON;
+        for (tolerance, term) in
+            [(1e-6, 2e-7), (9.0 * ulp, 1.8 * ulp), (7.0 * ulp, 1e-3 * ulp), (0.0, 1e-3 * ulp)]
+        {
+            let found: f64 = last_term(tolerance);
+            assert!((found / term - 1.0).abs() < 1e-14, "{tolerance:e}: {found:e}");
+        }
+    }
+
+    #[test]
+    fn an_order_is_the_least_that_gives_each_digit_its_share() {
+        // One more than 0.8 of −ln(2e-7) = 15.4, and so on; at least 4, at most what tables hold.
+        for (tolerance, order) in [(1.0, 4), (1e-6, 14), (1e-10, 21)] {
+            assert_eq!(orders(tolerance, 0.8), order, "{tolerance:e}");
+        }
+        assert_eq!(orders(1e-14, 10.0), HIGHEST);
+    }
+
+    #[test]
+    fn terms_may_fall_by_six_unless_the_highest_order_asks_for_more() {
+        assert_eq!(steepest(1e-10, 21), STEEPEST);
+        // 31 digits in 10 orders: 1.5 times the decay that they demand.
+        let demanded = 2e-31_f64.powf(-0.1);
+        let found: f64 = steepest(1e-30, 10);
+        let demanded_there = (last_term(1e-30_f64)).powf(-0.1);
+        assert!((found / (1.5 * demanded_there) - 1.0).abs() < 1e-12 && demanded > 6.0, "{found}");
     }
 }

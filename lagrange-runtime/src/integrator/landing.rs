@@ -220,20 +220,6 @@ where
         is_within(change, footing, self.sizes(self.from, span.abs(), footing).of.map(|size| half * size))
     }
 
-    /// Whether a change of the state `to` which a step leads may be carried to the state before it as in free
-    /// flight: the error of that is the change times the angle by which the velocity turns.
-    pub(crate) fn is_carried_rightly(
-        &self,
-        change: &State<S::Scalar, N>,
-        to: &State<S::Scalar, N>,
-        footing: &Footing<S::Scalar, N>,
-    ) -> bool {
-        let sizes = self.sizes(self.from, (to.t - self.from.t).abs(), footing);
-        let turned = footing.metric.extent(&difference(&to.v, &self.from.v)) / sizes.of[1];
-        // At rest nothing turns. NaN is within no bound.
-        is_within(change, footing, self.bounds(&sizes).map(|bound| bound / turned))
-    }
-
     /// The sizes of coordinates and velocities in a step.
     fn sizes(
         &self,

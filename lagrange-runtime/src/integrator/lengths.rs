@@ -280,6 +280,41 @@ mod tests {
     }
 
     #[test]
+    fn parts_of_the_way_and_of_the_natural_length_are_tried_as_well() {
+        let nowhere = || Outcome::Right(here(1e-6));
+        let mut lengths = lengths(1.0, [8.0, 8.0, 2.0]).on_the_way(0.5);
+        // Each base with its parts, and then the next base.
+        for base in [2.0, 0.5, 8.0] {
+            let mut length = base;
+            for part in PARTS {
+                let next = lengths.next(length, nowhere(), || false);
+                assert_eq!(next, Next::Try(part * base), "{base}");
+                length = part * base;
+            }
+            let next = match base {
+                2.0 => Next::Try(0.5),
+                0.5 => Next::Try(8.0),
+                _ => Next::GiveUp,
+            };
+            assert_eq!(lengths.next(length, nowhere(), || false), next);
+        }
+    }
+
+    #[test]
+    fn an_end_is_good_enough_by_what_the_step_began_with_or_by_the_tolerance() {
+        // Roundings move a velocity by ε/σ²; at 1e-10 that is the tolerance for σ = 1.5e-3.
+        let of = |begun, tolerance| {
+            Lengths::<f64>::new(Determined::at_start(&here(1.0)), &here(begun), tolerance, [1.0; 3])
+        };
+        let enough = |begun, tolerance, least| of(begun, tolerance).is_enough(&here(least));
+        assert!(enough(2e-4, 1e-10, 1.1e-4) && !enough(2e-4, 1e-10, 0.9e-4));
+        assert!(enough(1.0, 1e-10, 1.6e-3) && !enough(1.0, 1e-10, 1.4e-3));
+        // Never below the fourth root of rounding, and never more than 1.
+        assert!(enough(1.0, 1e-2, 1.3e-4) && !enough(1.0, 1e-2, 1.1e-4));
+        assert!(enough(4.0, 0.0, 1.0) && !enough(4.0, 0.0, 0.99));
+    }
+
+    #[test]
     fn lengths_come_to_an_end_whatever_comes_of_them() {
         // Long steps are wrong, and short ones end where nothing is determined.
         for wrong in [0.06, 0.2, 0.6, 2.0] {

@@ -85,10 +85,6 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
     /// The memory of a motion by this method between steps.
     type Memory: Copy + core::fmt::Debug;
 
-    /// Whether a step may begin and end anywhere near a configuration in which constraints depend on each
-    /// other. It may if the method evaluates nothing in between.
-    const PASSES: bool = false;
-
     /// The memory of a motion that begins at a state.
     fn begin(system: &S, start: State<S::Scalar, N>) -> Self::Memory
     where
@@ -120,6 +116,23 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
     ) -> Result<(), MotionError<S::Scalar>>
     where
         S::Scalar: Ordered;
+
+    /// The first step of a motion that begins near a configuration in which constraints depend on each other.
+    /// It leads across that configuration if possible. False for a method that evaluates inside its steps.
+    fn pass(
+        _memory: &mut Self::Memory,
+        _system: &S,
+        _constants: &S::Constants,
+        _control: &C,
+        _limits: &Limits<S::Scalar>,
+        _t: S::Scalar,
+        _attempts: &mut u64,
+    ) -> bool
+    where
+        S::Scalar: Ordered,
+    {
+        false
+    }
 
     /// The cost of the motion so far.
     fn counts(memory: &Self::Memory) -> Steps;

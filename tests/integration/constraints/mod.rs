@@ -9,6 +9,7 @@
 //! | [`beside`] | rows that depend on each other only where the constraints hold |
 //! | [`singular`] | constraints that become dependent on the way; what is held altogether |
 //! | [`passages`] | through configurations in which constraints become dependent, straight on |
+//! | [`cell`] | such a passage at the finest tolerances |
 //! | [`far`] | small differences of large coordinates |
 //! | [`linkages`] | four-bar linkages, flat configurations |
 //! | [`many`] | many constraints that have few coordinates in common |
@@ -21,6 +22,7 @@
 mod baumgarte;
 mod beside;
 mod cases;
+mod cell;
 mod contradictions;
 mod drift;
 mod far;

@@ -159,7 +159,7 @@ fn a_parallelogram_of_joints_passes_its_flat_position() {
         ([cos, sin, 1.0 + cos, sin], [-5.0 * sin, 5.0 * cos, -5.0 * sin, 5.0 * cos])
     };
     let off = |end: &State<f64, 4>| (end.q[2] - end.q[0] - 1.0).abs() + (end.q[3] - end.q[1]).abs();
-    passes!(Joints, curve, off, Jets, [1e-6, 1e-8, 1e-10, 1e-12]);
+    passes!(Joints, curve, off, Jets, [1e-6, 1e-8, 1e-10, 1e-12, 1e-14]);
     passes!(Joints, curve, off, Dop853, [1e-6, 1e-10, 1e-12, 1e-14]);
 }
 
@@ -171,7 +171,7 @@ fn redundant_cranks_pass_their_flat_position() {
     };
     let off =
         |end: &State<f64, 6>| end.q[5].abs() + (end.q[0] - end.q[1]).abs() + (end.q[0] - end.q[2]).abs();
-    passes!(Coupler, curve, off, Jets, [1e-8, 1e-10]);
+    passes!(Coupler, curve, off, Jets, [1e-8, 1e-10, 1e-12, 1e-14]);
     passes!(Coupler, curve, off, Dop853, [1e-6, 1e-10, 1e-14]);
 }
 

@@ -6,9 +6,8 @@
 //! evaluate at one end of a step alone. So where a smooth system has inputs that do not change within a step,
 //! such a step is one of its series.
 
-use super::super::dop853::Dop853Memory;
+use super::super::dop853::{Dop853Memory, Ground};
 use super::Driven;
-use crate::linear::Independence;
 use crate::number::real::Ordered;
 use crate::system::System;
 use crate::system::control::{Control, Held};
@@ -27,8 +26,9 @@ where
     S::Scalar: Ordered,
     C: Control<S::Scalar, N, K>,
 {
-    /// Takes a step from the state where another has failed. `here` tells how independent the constraints are
-    /// there. False if series cannot help.
+    /// Takes a step from the state where another has failed. False if series cannot help, or if they lead to
+    /// a state where the constraints determine less than they did so far: no other step would go on from
+    /// there.
     #[cold]
     #[inline(never)]
     pub(super) fn passes(
@@ -36,7 +36,7 @@ where
         memory: &mut Dop853Memory<S::Scalar, N>,
         limits: &Limits<S::Scalar>,
         target: S::Scalar,
-        here: &Independence<S::Scalar>,
+        Ground { here, mut determined }: Ground<S::Scalar>,
         attempts: &mut u64,
     ) -> bool {
         if here.are_far_apart() {
@@ -44,7 +44,14 @@ where
         }
         let start = memory.end.state;
         let Some(own) = self.passage(&start, limits, target, attempts) else { return false };
-        memory.pass(*S::Method::end(&own), target);
+        let end = *S::Method::end(&own);
+        let Ok(Ground { here, .. }) = self.ground(&end) else { return false };
+        if !determined.accepts(&here) {
+            return false;
+        }
+        determined.learn(&here);
+        memory.pass(end, target);
+        memory.ground = Some(Ground { here, determined });
         true
     }
 
@@ -75,12 +82,11 @@ where
         target: S::Scalar,
         attempts: &mut u64,
     ) -> Option<Own<S, N, K>> {
-        if !<S::Method as Adaptive<S, Held<S::Scalar, K>, N, K>>::PASSES || !C::HELD {
+        if !C::HELD {
             return None;
         }
         let held = Held(self.control.inputs(start));
         let mut own = S::Method::begin(self.system, *start);
-        S::Method::step(&mut own, self.system, self.constants, &held, limits, target, attempts).ok()?;
-        Some(own)
+        S::Method::pass(&mut own, self.system, self.constants, &held, limits, target, attempts).then_some(own)
     }
 }

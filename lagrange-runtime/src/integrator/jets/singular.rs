@@ -10,8 +10,8 @@
 use super::super::landing::{Check, apart};
 use super::{Determined, Jets, expansion};
 use crate::constraints::Footing;
-use crate::linear::Independence;
-use crate::number::real::{Ordered, Real};
+use crate::linear::determined;
+use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::system::control::Held;
 use crate::system::error::Cause;
 use crate::system::limits::Limits;
@@ -19,16 +19,23 @@ use crate::system::method::Adaptive;
 use crate::system::smooth::Smooth;
 use crate::system::state::State;
 
-/// The number of lengths that are tried. Each is half of the one before, beginning with half of the time to
-/// go.
+/// The number of lengths that are tried. Each is half of the one before, beginning with half of the time in
+/// which coordinates change by their size. So a target close by does not keep a motion where it cannot end.
 const LENGTHS: usize = 64;
 
 /// Corrections of the end of the step. Each leaves a part of the error that is the square of the step over
 /// the time in which accelerations change.
 const CORRECTIONS: usize = 24;
 
-/// Takes a step about its end, where the constraints determine the state by a distance of `enough`. False
-/// where the constraints depend on each other beside the start as well, so that it is as good as any other
+/// The least factor by which a state beyond a configuration in which constraints depend on each other must be
+/// determined better than the start of a step that leads across.
+pub(super) const ACROSS: f64 = 2.0;
+
+/// The same for the first step of a motion. A start that is determined well is as good as any other state.
+pub(super) const FIRST: f64 = 0.0;
+
+/// Takes a step about its end, where the constraints determine the state well, and better by this factor.
+/// False where they depend on each other beside the start as well, so that the start is as good as any other
 /// state.
 ///
 /// # Errors
@@ -43,8 +50,7 @@ pub(super) fn start<S, const N: usize, const K: usize>(
     constants: &S::Constants,
     control: &Held<S::Scalar, K>,
     limits: &Limits<S::Scalar>,
-    left: S::Scalar,
-    (here, enough): (&Independence<S::Scalar>, S::Scalar),
+    (left, better): (S::Scalar, f64),
 ) -> Result<bool, Cause>
 where
     S: Smooth<N, K>,
@@ -52,7 +58,14 @@ where
 {
     let half = S::Scalar::from_f64(0.5);
     let kept = *memory;
-    let mut time = half * left;
+    let State { q, v, .. } = &kept.start;
+    let Footing { independence: here, metric, .. } =
+        system.land_at(constants, &mut kept.start.clone(), None)?;
+    let enough = larger(determined(), S::Scalar::from_f64(better) * here.least);
+    let own = metric.extent(q) / metric.extent(v);
+    // At rest coordinates do not change, and at the origin they have no size.
+    let longest = if own.is_finite() && own.is_positive() { left.signum() * own } else { left };
+    let mut time = half * longest;
     let mut leads_out = false;
     for _ in 0..LENGTHS {
         *memory = kept;
@@ -61,7 +74,7 @@ where
             *q += time * v;
         }
         let there = if beyond.is_finite() { system.land_at(constants, &mut beyond, None).ok() } else { None };
-        if let Some(there) = there.filter(|there| there.independence.improves(here, enough)) {
+        if let Some(there) = there.filter(|there| there.independence.improves(&here, enough)) {
             leads_out = true;
             if shoot(memory, system, constants, control, limits, &kept.start, beyond, &there) {
                 memory.determined = Some(Determined::at_start(&there.independence));
@@ -80,6 +93,10 @@ where
 }
 
 /// Moves `beyond` until its series leads to `from`. The memory then holds the step between them.
+///
+/// Across the constraints the roundings of a state grow towards `from`, and what differs there says nothing
+/// about the motion: no more than half of all digits may. What differs along the constraints is an error of
+/// `beyond`, and is carried to it.
 #[allow(clippy::too_many_arguments)]
 fn shoot<S, const N: usize, const K: usize>(
     memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
@@ -100,41 +117,44 @@ where
     // For the moment the end of the step takes the place of the start, to which it is to lead.
     let ahead = beyond;
     let check = Check { system, constants, inputs: &control.0, limits, from: &ahead };
+    // The state nearest to `from` at which the constraints determine what is along them.
+    let half = S::Scalar::from_f64(0.5);
+    let near = one - smaller(determined::<S::Scalar>() / footing.independence.least, half);
     for _ in 0..CORRECTIONS {
         memory.start = beyond;
         memory.unit = -time;
-        if !expansion::outlined(memory, system, control, &beyond)
-            || !memory.is_finite()
-            || !memory.last_terms(one).iter().all(|term| check.is_small(term, time, footing))
-        {
+        if !expansion::outlined(memory, system, control, &beyond) || !memory.is_finite() {
             return false;
         }
-        let back = memory.state_at(one);
-        if !back.is_finite() {
+        let near = memory.state_at(near);
+        let along = |change: &State<S::Scalar, N>| {
+            let along = |change| system.tangential_at(&near, change);
+            State { q: along(&change.q), v: along(&change.v), ..*change }
+        };
+        let is_small = |change: &State<S::Scalar, N>| {
+            check.is_half(change, time, footing) && check.is_small(&along(change), time, footing)
+        };
+        let lack = apart(from, &memory.state_at(one));
+        if !memory.last_terms(one).iter().all(is_small) || !lack.is_finite() {
             return false;
         }
-        let lack = apart(from, &back);
-        let kept = beyond;
+        if is_small(&lack) && (Check { from, ..check }).keeps_energy(&beyond, footing) {
+            memory.series.recentre(one, memory.orders);
+            memory.turn();
+            memory.is_as_expanded = false;
+            (memory.start, memory.end) = (*from, beyond);
+            memory.end_residue = apart(from, from);
+            memory.end_residue.t = num_traits::Zero::zero();
+            (memory.next, memory.last) = (time.abs(), time.abs());
+            return true;
+        }
+        let lack = along(&lack);
         for i in 0..N {
             beyond.q[i] += lack.q[i] + time * lack.v[i];
             beyond.v[i] += lack.v[i];
         }
         if !beyond.is_finite() || system.project_at(constants, &mut beyond, None).is_err() {
             return false;
-        }
-        if check.is_small(&apart(&beyond, &kept), time, footing)
-            && check.is_half(&lack, time, footing)
-            && check.is_carried_rightly(&lack, from, footing)
-            && (Check { from, ..check }).keeps_energy(&kept, footing)
-        {
-            memory.series.recentre(one, memory.orders);
-            memory.turn();
-            memory.is_as_expanded = false;
-            (memory.start, memory.end) = (*from, kept);
-            memory.end_residue = apart(from, from);
-            memory.end_residue.t = num_traits::Zero::zero();
-            (memory.next, memory.last) = (time.abs(), time.abs());
-            return true;
         }
     }
     false

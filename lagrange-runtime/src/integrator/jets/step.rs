@@ -6,8 +6,7 @@ use super::super::step_size;
 use super::expansion::expand;
 use super::probe::{self, PLACES, Probe};
 use super::{Jets, JetsMemory, singular};
-use crate::linear::determined;
-use crate::number::real::{Ordered, Real, larger, smaller};
+use crate::number::real::{Ordered, Real, smaller};
 use crate::system::attitude;
 use crate::system::control::Held;
 use crate::system::error::Cause;
@@ -19,10 +18,6 @@ use crate::system::smooth::Smooth;
 /// anyway. This bound serves polynomials whose high coefficients cancel exactly and would allow any length:
 /// it keeps the end within reach of the check.
 const LONGER: f64 = 32.0;
-
-/// The least factor by which a state beyond a configuration in which constraints depend on each other must be
-/// determined better than the start of the step that leads across.
-const BETTER: f64 = 2.0;
 
 /// One step from the end of the last one towards `target`.
 #[inline]
@@ -57,9 +52,8 @@ where
     }
     let natural = expand(memory, system, control, limits, left, attempts)?;
     if let Some(here) = here {
-        let beyond = (&here, determined());
-        if !here.is_determined() && singular::start(memory, system, constants, control, limits, left, beyond)?
-        {
+        let first = (left, singular::FIRST);
+        if !here.is_determined() && singular::start(memory, system, constants, control, limits, first)? {
             memory.counts.accepted += 1;
             return Ok(());
         }
@@ -162,8 +156,8 @@ where
                 cause
             }
             Verdict::GiveUp(cause) => {
-                let beyond = (&here, larger(determined(), S::Scalar::from_f64(BETTER) * here.least));
-                return match singular::start(memory, system, constants, control, limits, left, beyond) {
+                let across = (left, singular::ACROSS);
+                return match singular::start(memory, system, constants, control, limits, across) {
                     Ok(true) => Ok(()),
                     _ => Err(memory.stay(cause)),
                 };
