@@ -50,7 +50,7 @@ const UNTIL: f64 = 20.0;
 pub fn main() -> Result<(), Box<dyn Error>> {
     let options = study::Options::from_command_line("flip_times", 24, 16)?;
     // Rows are angles of the lower rod, columns of the upper one.
-    let grid = Grid::new([(-PI, PI, options.height), (-PI, PI, options.width)]);
+    let grid = Grid::new([(-PI, PI, options.height), (-PI, PI, options.width)])?;
     let start = |index| {
         let [lower, upper] = grid.middle(index);
         (DoublePendulum { stiffness: 9.81 }, State::at_rest([upper, lower]))

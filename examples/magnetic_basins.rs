@@ -70,7 +70,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     // By symmetry the passes lie opposite to a magnet; the lowest energy between two, seen along the line.
     let pass = (1..2000).map(|k| energy(-1e-3 * f64::from(k), 0.0)).fold(f64::INFINITY, f64::min);
 
-    let grid = Grid::new([(-2.0, 2.0, options.height), (-2.0, 2.0, options.width)]);
+    let grid = Grid::new([(-2.0, 2.0, options.height), (-2.0, 2.0, options.width)])?;
     let start = |index| {
         let [y, x] = grid.middle(index);
         (pendulum, State::at_rest([x, y]))

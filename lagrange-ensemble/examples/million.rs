@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = PathBuf::from(words.next().ok_or("million FOLDER [MOTIONS]")?);
     let motions = words.next().map_or(Ok(1_000_000), |word| word.parse::<u64>())?;
     let side = motions.isqrt();
-    let grid = Grid::new([(-3.0, 3.0, side), (-3.0, 3.0, side)]);
+    let grid = Grid::new([(-3.0, 3.0, side), (-3.0, 3.0, side)])?;
     let begin = Instant::now();
     let study = Ensemble::new(grid.count(), |index| {
         (DoublePendulum { stiffness: 9.81 }, State::at_rest(grid.middle(index)))

@@ -91,6 +91,13 @@ pub enum Error {
         /// The number of motions.
         count: u64,
     },
+    /// A dimension of a grid has borders that are no numbers, or too few or too many cells.
+    InvalidGrid {
+        /// The index of the dimension.
+        dimension: usize,
+        /// What is wrong with it.
+        why: &'static str,
+    },
     /// A table ends in `.npy`, `.csv` or, with the feature `parquet`, in `.parquet`.
     UnknownFormat {
         /// The file.
@@ -158,6 +165,9 @@ impl fmt::Display for Error {
             ),
             Self::InvalidShape { shape, count } => {
                 write!(out, "{count} motions do not fill the shape {shape:?}")
+            }
+            Self::InvalidGrid { dimension, why } => {
+                write!(out, "dimension {dimension} of the grid cannot be divided into cells: {why}")
             }
             Self::UnknownFormat { path } => write!(
                 out,

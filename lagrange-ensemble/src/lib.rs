@@ -31,7 +31,7 @@
 //! # let temporary = tempfile::tempdir()?;
 //! # let folder = temporary.path();
 //! // 40 lengths by 30 amplitudes.
-//! let grid = Grid::new([(0.1, 2.0, 40), (0.0, 3.0, 30)]);
+//! let grid = Grid::new([(0.1, 2.0, 40), (0.0, 3.0, 30)])?;
 //! let study = Ensemble::new(grid.count(), |index| {
 //!     let [length, amplitude] = grid.middle(index);
 //!     (Pendulum { length }, State::at_rest([amplitude]))

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use lagrange_ensemble::{Cells, Column, Ensemble, Error, Failure, Record, Study};
+use lagrange_ensemble::{Cells, Chance, Column, Ensemble, Error, Failure, Grid, Record, Study};
 use lagrangian::prelude::*;
 
 #[test]
@@ -136,4 +136,79 @@ fn dry_friction_stops_each_block_where_it_must() {
         let way = 0.5 / (0.1 + index as f64 / 50.0);
         assert!(end.v == [0.0] && (end.q[0] - way).abs() < 1e-9 * way, "{index}: {end:?}, {way}");
     }
+}
+
+#[test]
+fn a_grid_without_numbers_or_cells_is_an_error() {
+    let most = u64::MAX;
+    for (sides, at, what) in [
+        ([(f64::NAN, 1.0, 2), (0.0, 1.0, 2)], 0, "finite"),
+        ([(0.0, 1.0, 2), (0.0, f64::INFINITY, 2)], 1, "finite"),
+        ([(0.0, 1.0, 2), (f64::NEG_INFINITY, 0.0, 2)], 1, "finite"),
+        ([(0.0, 1.0, 0), (0.0, 1.0, 2)], 0, "no cells"),
+        ([(0.0, 1.0, most), (0.0, 1.0, 2)], 1, "more cells"),
+    ] {
+        match Grid::new(sides) {
+            Err(error @ Error::InvalidGrid { dimension, .. }) => {
+                assert_eq!(dimension, at, "{error}");
+                assert!(error.to_string().contains(what), "{error}");
+            }
+            found => panic!("{sides:?}: {found:?}"),
+        }
+    }
+    // The largest grid, borders in either order, and numbers whose difference is none.
+    let grid = Grid::new([(f64::MAX, -f64::MAX, most)]).expect("a grid");
+    assert_eq!((grid.count(), grid.middle(most - 1)), (most, [-f64::MAX]));
+    assert_eq!(Grid::new([(2.0, 2.0, 1)]).expect("a grid").middle(0), [2.0]);
+    let nothing = Grid::new([]).expect("a grid");
+    assert_eq!((nothing.count(), nothing.middle(0)), (1, []));
+}
+
+/// A mass on a spring.
+struct Oscillator {
+    stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Oscillator {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        0.5 * self.stiffness * q.x.powi(2)
+    }
+}
+
+#[test]
+fn chance_without_numbers_makes_failures_and_no_results() {
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for [mean, deviation, from, to] in
+            [[bad, 0.1, 1.0, 1.0], [1.0, bad, 1.0, 1.0], [1.0, 0.0, bad, 1.0], [1.0, 0.0, 1.0, bad]]
+        {
+            // Stiffness, coordinate or speed.
+            for which in 0..3 {
+                let start = |index| {
+                    let mut chance = Chance::new(7, index);
+                    let drawn = chance.normal(mean, deviation) + chance.between(from, to);
+                    assert!(!drawn.is_finite(), "{drawn}");
+                    let [stiffness, x, speed] = std::array::from_fn(|i| if i == which { drawn } else { 1.0 });
+                    (Oscillator { stiffness }, State::new([x], [speed]))
+                };
+                let table = Ensemble::new(8, start).ends("ends", 1.0).run().expect("the study runs");
+                for row in table.to_vec().expect("rows") {
+                    assert!(row.is_err(), "{which} of {bad}: {row:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_study_of_no_motions_has_no_rows() {
+    let start = |_| (Oscillator { stiffness: 1.0 }, State::at_rest([1.0]));
+    let table = Ensemble::new(0, start).ends("none", 1.0).run().expect("the study runs");
+    assert_eq!((table.count(), table.to_vec().expect("rows").len()), (0, 0));
 }

@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = PathBuf::from(words.next().ok_or("pendulums FOLDER [MOTIONS] [SECONDS]")?);
     let side = (words.next().map_or(Ok(2500.0), |word| word.parse::<f64>())?).sqrt() as u64;
     let until = words.next().map_or(Ok(10.0), |word| word.parse::<f64>())?;
-    let grid = Grid::new([(-3.0, 3.0, side), (-3.0, 3.0, side)]);
+    let grid = Grid::new([(-3.0, 3.0, side), (-3.0, 3.0, side)])?;
     let start = |index| (DoublePendulum { stiffness: 9.81 }, State::at_rest(grid.middle(index)));
     let study = Ensemble::new(grid.count(), start)
         .with_tolerance(1e-9)
