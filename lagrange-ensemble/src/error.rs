@@ -91,7 +91,7 @@ pub enum Error {
         /// The number of motions.
         count: u64,
     },
-    /// A dimension of a grid has borders that are no numbers, or too few or too many cells.
+    /// A dimension of a grid has a border that is not finite, or too few or too many cells.
     InvalidGrid {
         /// The index of the dimension.
         dimension: usize,

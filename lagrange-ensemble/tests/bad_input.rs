@@ -156,7 +156,7 @@ fn a_grid_without_numbers_or_cells_is_an_error() {
             found => panic!("{sides:?}: {found:?}"),
         }
     }
-    // The largest grid, borders in either order, and numbers whose difference is none.
+    // The largest grid has borders in descending order, and their difference overflows.
     let grid = Grid::new([(f64::MAX, -f64::MAX, most)]).expect("a grid");
     assert_eq!((grid.count(), grid.middle(most - 1)), (most, [-f64::MAX]));
     assert_eq!(Grid::new([(2.0, 2.0, 1)]).expect("a grid").middle(0), [2.0]);

@@ -45,8 +45,8 @@ use crate::diagnostics::{Diagnostics, catalogue};
 use body::Constant;
 use translate::{Translator, bare};
 
-/// The fewest alike instructions that a loop computes. Fewer are as quick to compile one by one, and quicker
-/// to run, because compilers keep their results in registers.
+/// The fewest alike instructions that a loop computes. Compilers keep the results of fewer ones in registers,
+/// where a loop would store them. The number is a choice: systems of some ten links keep straight lines.
 const LEAST_LOOP: usize = 24;
 
 /// Parses `#[lagrangian(args)] item`. `default_crate` is the crate that generated code names unless the user

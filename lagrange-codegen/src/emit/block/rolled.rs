@@ -29,12 +29,15 @@ pub(in crate::emit) struct Evaluation {
 }
 
 impl Loops {
-    /// The loops in words. `None` if there are none.
+    /// A line for `STRUCTURE` that counts the loops. `None` without loops.
     pub fn describe(self) -> Option<String> {
         let Loops { count, rows, instructions } = self;
         let noun = if count == 1 { "loop" } else { "loops" };
         (count > 0).then(|| {
-            format!("alike parts: {count} {noun} of {rows} instructions stand for {instructions} in the accelerations")
+            format!(
+                "alike parts: {count} {noun} of {rows} instructions stand for {instructions} \
+                 in the accelerations"
+            )
         })
     }
 }

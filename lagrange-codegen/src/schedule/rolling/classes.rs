@@ -5,11 +5,6 @@ use crate::collections::{Lookup, WordHasher};
 use crate::schedule::{Instruction, Program, Slot};
 use std::hash::{Hash, Hasher};
 
-/// The number of levels of operands that alike instructions agree in. Instructions may differ further down,
-/// as the first links of a chain do from the others. Instructions of different roles in one class are told
-/// apart by the runs.
-const DEPTH: usize = 1;
-
 /// An operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Reference {
@@ -23,7 +18,9 @@ pub(super) enum Reference {
     Number,
 }
 
-/// The instructions by class.
+/// The instructions by class. Instructions of a class agree in their operation and in those of their
+/// operands. They may differ further down, as the first links of a chain do from the others. Instructions of
+/// different roles in one class are told apart by the runs.
 pub(super) struct Classes {
     /// All instructions, in ascending order. An instruction is known by its index here.
     pub part: Vec<Slot>,
@@ -57,30 +54,17 @@ impl Classes {
             (None, Instruction::Literal(_)) => hash(&2_u32),
             (None, _) => hash(&(3_u32, slot)),
         };
-        let below: Vec<Vec<Result<u32, u64>>> = operands
-            .iter()
-            .map(|own| {
-                let of = |&slot: &Slot| match position[slot.index()] {
-                    NOWHERE => Err(outside(slot)),
-                    place => Ok(place),
-                };
-                own.iter().map(of).collect()
+        let key = |(&operation, own): (&u64, &Vec<Slot>)| {
+            own.iter().fold(operation, |key, &slot| match position[slot.index()] {
+                NOWHERE => hash(&(key, outside(slot))),
+                place => hash(&(key, operations[place as usize])),
             })
-            .collect();
-        let mut keys = operations.clone();
-        for _ in 0..DEPTH {
-            let key = |(&operation, below): (&u64, &Vec<Result<u32, u64>>)| {
-                below.iter().fold(operation, |key, operand| match *operand {
-                    Ok(place) => hash(&(key, keys[place as usize])),
-                    Err(outside) => hash(&(key, outside)),
-                })
-            };
-            keys = operations.iter().zip(&below).map(key).collect();
-        }
+        };
+        let keys = operations.iter().zip(&operands).map(key);
         let mut known: Lookup<u64, u32> = Lookup::default();
         let mut members: Vec<Vec<u32>> = Vec::new();
         let mut member = Vec::with_capacity(part.len());
-        for (place, &key) in (0_u32..).zip(&keys) {
+        for (place, key) in (0_u32..).zip(keys) {
             let class = known.get(&key).copied().unwrap_or_else(|| {
                 members.push(Vec::new());
                 known.insert(key, members.len() as u32 - 1);
