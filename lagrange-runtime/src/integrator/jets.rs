@@ -21,7 +21,7 @@ mod singular;
 mod step;
 
 use super::landing::Determined;
-use crate::number::real::{Ordered, larger};
+use crate::number::real::{Ordered, Real, larger};
 use crate::series::HIGHEST;
 use crate::system::control::Held;
 use crate::system::diagnose;
@@ -189,7 +189,7 @@ where
         S::Scalar: Ordered,
     {
         memory.prepare(limits);
-        let across = (t - memory.start.t, singular::ACROSS);
+        let across = (t - memory.start.t, S::Scalar::from_f64(singular::ACROSS));
         singular::start(memory, system, constants, control, limits, across) == Ok(true)
             || step(memory, system, constants, control, limits, t, attempts).is_ok()
     }

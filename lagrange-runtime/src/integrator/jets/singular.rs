@@ -50,7 +50,7 @@ pub(super) fn start<S, const N: usize, const K: usize>(
     constants: &S::Constants,
     control: &Held<S::Scalar, K>,
     limits: &Limits<S::Scalar>,
-    (left, better): (S::Scalar, f64),
+    (left, better): (S::Scalar, S::Scalar),
 ) -> Result<bool, Cause>
 where
     S: Smooth<N, K>,
@@ -61,7 +61,7 @@ where
     let State { q, v, .. } = &kept.start;
     let Footing { independence: here, metric, .. } =
         system.land_at(constants, &mut kept.start.clone(), None)?;
-    let enough = larger(determined(), S::Scalar::from_f64(better) * here.least);
+    let enough = larger(determined(), better * here.least);
     let own = metric.extent(q) / metric.extent(v);
     // At rest coordinates do not change, and at the origin they have no size.
     let longest = if own.is_finite() && own.is_positive() { left.signum() * own } else { left };

@@ -52,7 +52,7 @@ where
     }
     let natural = expand(memory, system, control, limits, left, attempts)?;
     if let Some(here) = here {
-        let first = (left, singular::FIRST);
+        let first = (left, S::Scalar::from_f64(singular::FIRST));
         if !here.is_determined() && singular::start(memory, system, constants, control, limits, first)? {
             memory.counts.accepted += 1;
             return Ok(());
@@ -156,7 +156,7 @@ where
                 cause
             }
             Verdict::GiveUp(cause) => {
-                let across = (left, singular::ACROSS);
+                let across = (left, S::Scalar::from_f64(singular::ACROSS));
                 return match singular::start(memory, system, constants, control, limits, across) {
                     Ok(true) => Ok(()),
                     _ => Err(memory.stay(cause)),
