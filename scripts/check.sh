@@ -132,16 +132,28 @@ gallery() { scripts/gallery.sh test; }
 
 gpu() { scripts/gpu.sh all; }
 
-[ $# -gt 0 ] || { usage; exit 2; }
-for name in "$@"; do
-    case $name in
-        command) command_line ;;
-        fmt | clippy | docs | integration | engine | examples | features | companions | book | ui | random | editor | packages | benchmarks | lanes | tables | mpi | digits | long | drift | roots | contacts | stack | stack-release | gallery | gpu | firmware)
-            "$name" ;;
-        all) fmt; clippy; docs; integration; engine; examples; features; companions; book; ui; stack; random; command_line; editor; packages; benchmarks; lanes; tables; mpi; digits; long; drift; roots; contacts; firmware; gallery; gpu ;;
-        ci)
-            fmt; clippy; docs; integration; engine; examples; features; companions; ui; stack; command_line
-            FIRMWARE=ci firmware ;;
-        *) usage; exit 2 ;;
+names() {
+    case $1 in
+        ci) echo fmt clippy docs integration engine examples features companions ui stack command firmware ;;
+        all)
+            echo fmt clippy docs integration engine examples features companions book ui stack random command editor \
+                packages benchmarks lanes tables mpi digits long drift roots contacts firmware gallery gpu ;;
+        command | fmt | clippy | docs | integration | engine | examples | features | companions | book | ui | random | editor | packages | benchmarks | lanes | tables | mpi | digits | long | drift | roots | contacts | stack | stack-release | gallery | gpu | firmware)
+            echo "$1" ;;
+        *) return 1 ;;
     esac
+}
+
+[ $# -gt 0 ] || { usage; exit 2; }
+for list in "$@"; do
+    all=$(names "$list") || { usage; exit 2; }
+    for name in $all; do
+        SECONDS=0
+        case $name in
+            command) command_line ;;
+            firmware) FIRMWARE=${FIRMWARE:-$([ "$list" = ci ] && echo ci || echo all)} firmware ;;
+            *) "$name" ;;
+        esac
+        echo "check: $name took $SECONDS s"
+    done
 done
