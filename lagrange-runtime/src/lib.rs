@@ -77,7 +77,7 @@ pub use number::real::DoubleDouble;
 pub use number::real::Lanes;
 pub use number::real::{self, Dual, Ordered, Real, Vector};
 pub use switching::{
-    Coefficients, Contact, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switch, Switching,
+    Along, Coefficients, Contact, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switch, Switching,
 };
 pub use system::System;
 pub use system::attitude::{self, BodyAxes, ByName, PoseVelocity};
@@ -144,12 +144,12 @@ pub mod __private {
     pub mod jets {
         //! Recurrences of Taylor coefficients.
         pub use crate::series::columns::{Pattern, Products, column, product, square, tile};
-        pub use crate::series::reacting::Reacting;
+        pub use crate::series::followed::Followed;
         pub use crate::series::tables::{Convolutions, in_line, in_turn, index, multiplier, rate, time};
     }
     pub use crate::analysis::verify::{self, Certificate, Verifiable, Violation};
     pub use crate::switching::{
-        self, Coefficients, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switching, Wanted,
+        self, Along, Coefficients, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switching, Wanted,
     };
     pub use crate::system::System;
     pub use crate::system::structure::{Cost, Costs, Structure};

@@ -26,6 +26,7 @@
 mod auxiliary;
 mod bundles;
 mod conditions;
+mod followed;
 mod parts;
 mod recurrence;
 mod rewriting;
@@ -40,7 +41,7 @@ use auxiliary::{Auxiliary, NotSmooth, Rewriter};
 pub use auxiliary::{Relation, Value};
 pub use bundles::{Bundle, bundles};
 use conditions::Restrictions;
-use recurrence::Counts;
+pub use followed::Along;
 pub use recurrence::{Coefficient, Convolution, Jets, Operand, Series};
 use rewriting::{contract_angles, meet_flows};
 
@@ -60,12 +61,15 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
     let restrictions = Restrictions::of(&mut model.graph, conditions, count);
     roots.extend(restrictions.reactions.iter().chain(&restrictions.rates));
     roots.extend(conditions.relaxation.iter().flatten());
+    let is_steep = steep::is_steep(&model.graph, &roots);
+    let (followed, along) = followed::of(&mut model.graph, equations);
+    roots.extend(&followed);
     let counts = Counts {
         coordinates: count,
         constraints: conditions.count(),
         relaxed: conditions.relaxation.is_some(),
+        followed: followed.len(),
     };
-    let is_steep = steep::is_steep(&model.graph, &roots);
     let mut forms = vec![roots];
     if model.graph.cone(forms[0].iter().copied()).len() <= COMPARABLE {
         forms.push(simplify(&mut model.graph, &mut model.hints, &forms[0]));
@@ -96,8 +100,20 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
     if let Some(jets) = &mut best {
         jets.gradients = restrictions.gradients;
         jets.is_steep = is_steep;
+        jets.along = along;
     }
     best
+}
+
+/// The number of roots of each kind.
+#[derive(Clone, Copy, Debug)]
+struct Counts {
+    coordinates: usize,
+    constraints: usize,
+    /// Whether the constraints' rates are not zero but given.
+    relaxed: bool,
+    /// The number of functions that are followed.
+    followed: usize,
 }
 
 /// An equal form of polynomial equations.

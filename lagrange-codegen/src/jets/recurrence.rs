@@ -1,6 +1,8 @@
 //! When each coefficient of an order is known, and which convolutions there are.
 
+use super::Counts;
 use super::auxiliary::{Auxiliary, Relation, Value};
+use super::followed::Along;
 use crate::collections::Lookup;
 use crate::expr::{NodeId, Variable};
 use crate::schedule::{Instruction, Program, Slot};
@@ -57,15 +59,6 @@ pub struct Series {
     pub relation: Relation<Slot>,
 }
 
-/// The number of roots of each kind.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Counts {
-    pub coordinates: usize,
-    pub constraints: usize,
-    /// Whether the constraints' rates are not zero but given.
-    pub relaxed: bool,
-}
-
 /// The recurrences of a system.
 #[derive(Clone, Debug)]
 pub struct Jets {
@@ -83,6 +76,10 @@ pub struct Jets {
     pub gradients: Vec<Vec<NodeId>>,
     /// Their rates, if these are not zero.
     pub relaxation: Vec<Slot>,
+    /// The functions of the state that are followed along the motion.
+    pub followed: Vec<Slot>,
+    /// How each function that may be followed is known along the motion.
+    pub along: Vec<Along>,
     /// Auxiliaries that the program reads.
     pub auxiliaries: Vec<Series>,
     /// The auxiliary that a slot reads.
@@ -105,11 +102,12 @@ impl Jets {
         let mut outputs = program.outputs.clone().into_iter();
         let mut next = || outputs.next().expect("jets: as many slots as nodes");
         let mut take = |count: usize| -> Vec<Slot> { (0..count).map(|_| next()).collect() };
-        let Counts { coordinates, constraints, relaxed } = counts;
+        let Counts { coordinates, constraints, relaxed, followed } = counts;
         let (momenta, rates) = (take(coordinates), take(coordinates));
         let reactions = take(if constraints > 0 { coordinates } else { 0 });
         let conditions = take(constraints);
         let relaxation = take(if relaxed { constraints } else { 0 });
+        let followed = take(followed);
         let mut variables: Vec<Option<Slot>> = vec![None; auxiliaries.len()];
         for slot in program.needed(&program.outputs) {
             if let Instruction::Variable(Variable::Auxiliary(index)) = program.instruction(slot) {
@@ -148,6 +146,8 @@ impl Jets {
             is_steep: false,
             gradients: Vec::new(),
             relaxation,
+            followed,
+            along: Vec::new(),
             auxiliaries: series,
             auxiliary_at,
             convolutions: Vec::new(),
@@ -180,9 +180,9 @@ impl Jets {
         self.momenta.iter().chain(&self.reactions).chain(&self.conditions).copied()
     }
 
-    /// The slots whose coefficients the next order starts from.
-    pub fn carried(&self) -> impl Iterator<Item = Slot> + '_ {
-        self.rates.iter().chain(&self.relaxation).copied()
+    /// The slots whose coefficients the next order starts from, and those that are followed.
+    pub fn asked(&self) -> impl Iterator<Item = Slot> + '_ {
+        self.rates.iter().chain(&self.relaxation).chain(&self.followed).copied()
     }
 
     /// The auxiliary at a slot.
@@ -321,7 +321,7 @@ impl Jets {
         }
         // A slot that no recurrence uses has a value but no series.
         let mut asked = vec![false; self.program.len()];
-        let mut stack: Vec<Slot> = self.balances().chain(self.carried()).collect();
+        let mut stack: Vec<Slot> = self.balances().chain(self.asked()).collect();
         while let Some(slot) = stack.pop() {
             if classes[slot.index()] == Coefficient::Constant
                 || std::mem::replace(&mut asked[slot.index()], true)

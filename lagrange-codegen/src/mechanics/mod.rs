@@ -68,6 +68,9 @@ pub struct Equations {
     pub energy_rate: Option<NodeId>,
     /// The contributions of the constraints.
     pub conditions: Conditions,
+    /// Functions of the state whose series along the motion are asked for. Only equations that switch have
+    /// some.
+    pub followed: Vec<NodeId>,
     /// Orientations whose matrices are variables. Their angular velocities replace the rates of their
     /// coordinates.
     pub turning: Vec<usize>,
@@ -204,6 +207,7 @@ impl Equations {
             power,
             energy_rate,
             conditions,
+            followed: Vec::new(),
             turning: motion.turning,
             definite: model.lagrangian.is_empty(),
         }

@@ -17,12 +17,23 @@ pub fn turning(model: &mut Model) -> Option<Equations> {
 impl Equations {
     /// These equations, with the terms of `others` that a motion is solved with and its series are made of.
     pub fn turned(&self, model: &mut Model, others: Equations) -> Equations {
-        let Equations { mass, force, momenta, momentum_rates, inertia, conditions, turning, .. } = others;
+        let Equations {
+            mass, force, momenta, momentum_rates, inertia, conditions, followed, turning, ..
+        } = others;
         let Conditions { rates, jacobian, reactions, relaxation, switched, .. } = conditions;
         let conditions =
             Conditions { rates, jacobian, reactions, relaxation, switched, ..self.conditions.clone() };
-        let mut turned =
-            Equations { mass, force, momenta, momentum_rates, inertia, conditions, turning, ..self.clone() };
+        let mut turned = Equations {
+            mass,
+            force,
+            momenta,
+            momentum_rates,
+            inertia,
+            conditions,
+            followed,
+            turning,
+            ..self.clone()
+        };
         turned.simplify_motion(model);
         turned
     }

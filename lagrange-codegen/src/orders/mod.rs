@@ -52,6 +52,8 @@ pub struct Expansion {
     pub coordinates: Vec<Slot>,
     /// The coefficients of the velocities.
     pub velocities: Vec<Slot>,
+    /// The coefficients of the functions that are followed.
+    pub followed: Vec<Slot>,
     /// The numbers that pass from one order to the next.
     pub carried: Vec<Carried>,
     /// The factors of the convolutions.
@@ -238,6 +240,7 @@ fn plan(
     };
     order.complete();
     let factors = order.factors();
+    let followed = jets.followed.iter().map(|&slot| order.coefficient(slot)).collect();
     let carried = order.carried(&velocities);
     let sums = Sums::of(jets, &factors, numbers);
     let Order { program, found, values, .. } = order;
@@ -245,6 +248,7 @@ fn plan(
         program,
         coordinates,
         velocities,
+        followed,
         carried,
         factors,
         sums,

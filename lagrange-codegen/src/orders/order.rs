@@ -303,7 +303,7 @@ fn named(jets: &Jets) -> Vec<bool> {
         named[product.left.slot.index()] = true;
         named[product.right.slot.index()] = true;
     }
-    for slot in jets.carried().chain(jets.balances()) {
+    for slot in jets.asked().chain(jets.balances()) {
         uses[slot.index()] += 1;
     }
     for (named, uses) in named.iter_mut().zip(uses) {

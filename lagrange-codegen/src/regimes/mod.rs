@@ -15,7 +15,7 @@ pub use sliding::Coefficients;
 use crate::diagnostics::Diagnostics;
 use crate::expr::{Exponent, Graph, NodeId, Variable};
 use crate::jets::{self, Jets};
-use crate::mechanics::{self, Equations, LoadRow};
+use crate::mechanics::{self, Conditions, Equations, LoadRow};
 use crate::model::{Constraint, ConstraintKind, Contact, Law, Model, Normal};
 use crate::number::Number;
 use crate::orders::Expansions;
@@ -44,16 +44,11 @@ pub struct Regimes {
     pub breaks: Vec<Jump>,
     /// The system of one regime, with its switches as its last parameters.
     pub model: Model,
-    /// Gaps and slip velocities in one regime, in the graph of `model`.
-    pub rows_in: Vec<NodeId>,
-    /// Coefficients of sticking friction for slips forward and backward, in the graph of `model`; zero for
-    /// other rows.
-    pub fixed_in: [Vec<NodeId>; 2],
+    /// The functions that end a regime, in the graph of `model`.
+    pub guards: Functions,
     /// Coefficients of friction for slips forward and backward, in the graph of `rows`; `None` if no law
     /// depends on the direction of a slip.
     pub coefficients: Option<[Coefficients; 2]>,
-    /// Switching functions in one regime, in the graph of `model`.
-    pub kinks_in: Vec<NodeId>,
     /// Its equations.
     pub equations: Equations,
     /// The equations that its series is made of, if they are others.
@@ -70,10 +65,50 @@ pub struct Regimes {
     pub laws_of: Vec<Option<Law>>,
 }
 
+/// The functions of one regime whose zeros end it.
+#[derive(Clone, Debug)]
+pub struct Functions {
+    /// Gaps and slip velocities; zero of rows that always hold.
+    pub rows: Vec<NodeId>,
+    /// Coefficients of friction that sticks, for slips forward and backward; zero of other rows.
+    pub fixed: [Vec<NodeId>; 2],
+    /// Switching functions.
+    pub kinks: Vec<NodeId>,
+}
+
+impl Functions {
+    /// Of a model in one regime with these equations, before contacts hold at times.
+    fn of(
+        graph: &mut Graph,
+        conditions: &Conditions,
+        contacts: &[Contact],
+        slips: &[NodeId],
+        loads: usize,
+        kinks: Vec<NodeId>,
+    ) -> Functions {
+        let zero = graph.zero();
+        let held = conditions.count() - contacts.len();
+        let of_contacts = (held..).zip(contacts).map(|(row, contact)| match contact.law {
+            Law::Unilateral { .. } => conditions.positions[row],
+            Law::Friction { .. } => conditions.rates[row],
+        });
+        let nothing = |count| std::iter::repeat_n(zero, count);
+        let rows = nothing(held).chain(of_contacts).chain(nothing(loads)).collect();
+        let fixed = sliding::coefficients(graph, contacts, slips)
+            .map(|coefficients| coefficients.on_rows(zero, held, loads).fixed);
+        Functions { rows, fixed, kinks }
+    }
+
+    /// All of them, in the order of the fields.
+    pub fn all(&self) -> Vec<NodeId> {
+        [&self.rows, &self.fixed[0], &self.fixed[1], &self.kinks].into_iter().flatten().copied().collect()
+    }
+}
+
 impl Regimes {
     /// The number of rows.
     pub fn rows(&self) -> usize {
-        self.rows_in.len()
+        self.guards.rows.len()
     }
 
     /// Whether there are rows that hold at times.
@@ -113,7 +148,6 @@ pub fn derive(
     let jumps = kinks::jumps(&mut rows, &laws, &kinks);
     let corners = kinks::corners(&mut rows, &laws, held, &kinks);
     let breaks = kinks::breaks(&mut rows, &laws, &kinks);
-    let count = held + contacts.len();
     let mut regime = rows.clone();
     switches.add_kinks(&mut regime, kinks.len());
     let (kinks_in, contacts_in) = on_sides(&mut regime, &kinks, &switches, &sliding);
@@ -122,21 +156,11 @@ pub fn derive(
     for model in [&mut rows, &mut regime] {
         name_loads(model, &loads);
     }
-    let conditions = &equations.conditions;
-    let zero = regime.graph.zero();
-    let others = std::iter::repeat_n(zero, loads.len());
-    let rows_in = (0..count)
-        .map(|row| match row.checked_sub(held).map(|contact| &contacts[contact].law) {
-            None => zero,
-            Some(Law::Unilateral { .. }) => conditions.positions[row],
-            Some(Law::Friction { .. }) => conditions.rates[row],
-        })
-        .chain(others)
-        .collect();
     let slips = &switches.slip[held..];
     let behind = loads.len();
-    let fixed_in = sliding::coefficients(&mut regime.graph, &contacts_in, slips)
-        .map(|coefficients| coefficients.on_rows(zero, held, behind).fixed);
+    let guards =
+        Functions::of(&mut regime.graph, &equations.conditions, &contacts_in, slips, behind, kinks_in);
+    equations.followed = guards.all();
     let coefficients = (sliding::have_directions(&contacts, &sliding)).then(|| {
         let zero = rows.graph.zero();
         sliding::coefficients(&mut rows.graph, &sliding, slips)
@@ -169,10 +193,8 @@ pub fn derive(
         corners,
         breaks,
         model: regime,
-        rows_in,
-        fixed_in,
+        guards,
         coefficients,
-        kinks_in,
         equations,
         turned,
         facts,
@@ -262,8 +284,11 @@ fn turned(described: &Model, regime: &mut Model, switches: &Switches, kinks: &[N
     let (contacts, loads) = as_rows(&mut model);
     let contacts = sliding::along(&mut model.graph, &contacts, &switches.slip[held..]);
     let kinks = kinks::described(&described.graph, &mut model, kinks, &contacts)?;
-    let (_, contacts) = on_sides(&mut model, &kinks, switches, &contacts);
+    let (kinks, contacts) = on_sides(&mut model, &kinks, switches, &contacts);
     let mut equations = mechanics::turning(&mut model)?;
+    let slips = &switches.slip[held..];
+    let guards = Functions::of(&mut model.graph, &equations.conditions, &contacts, slips, loads.len(), kinks);
+    equations.followed = guards.all();
     if !contacts.is_empty() {
         hold(&mut model.graph, &mut equations, switches, held, &contacts, loads);
     }

@@ -214,8 +214,9 @@ where
     where
         S::Scalar: Ordered,
     {
-        let reactions = if memory.is_as_expanded { S::reactions(&memory.tables) } else { &[] };
-        Some(Terms { reactions, ..memory.terms() })
+        let none: [&[_]; 2] = [&[]; 2];
+        let [reactions, functions] = if memory.is_as_expanded { S::followed(&memory.tables) } else { none };
+        Some(Terms { reactions, functions, ..memory.terms() })
     }
 
     #[inline]

@@ -2,3 +2,4 @@
 
 mod math;
 pub mod real;
+pub(crate) mod rounded;

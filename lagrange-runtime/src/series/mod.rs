@@ -1,7 +1,7 @@
 //! Taylor series in time: coefficients and their convolutions, polynomials as numbers.
 
 pub mod columns;
-pub mod reacting;
+pub mod followed;
 pub mod tables;
 pub(crate) mod taylor;
 

@@ -6,10 +6,11 @@ mod watch;
 use super::scene::{Scales, most, rounding};
 use super::{Functions, Regime, Row, Switching};
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved};
-use crate::number::real::{Ordered, Real};
-use crate::series::taylor::{Rounded, Taylor};
+use crate::number::real::{Ordered, Real, larger, smaller};
+use crate::number::rounded::Rounded;
 use crate::system::error::Cause;
 use crate::system::state::State;
+pub(super) use values::Parts;
 use values::Values;
 use watch::Watch;
 
@@ -32,17 +33,13 @@ pub(super) struct Guards<'a, S, const N: usize, const K: usize, const C: usize, 
 where
     S: Switching<N, K, C, W>,
 {
+    pub(super) system: &'a S,
     pub(super) in_regime: &'a S::InRegime,
     pub(super) regime: &'a Regime<S::Scalar, C, W>,
     pub(super) inputs: &'a [S::Scalar; K],
-    /// The sizes of frictions that slip and whose force is given. They are among the forces and may balance
-    /// the others.
-    pub(super) given: [S::Scalar; N],
+    /// Where the step starts.
+    pub(super) start: &'a State<S::Scalar, N>,
     watch: Watch<S::Scalar, C, W>,
-    /// Whether the motion is a polynomial.
-    is_along: bool,
-    /// Whether the reactions are polynomials.
-    pub(super) reacts_along: bool,
 }
 
 impl<'a, S, const N: usize, const K: usize, const C: usize, const W: usize> Guards<'a, S, N, K, C, W>
@@ -50,18 +47,18 @@ where
     S: Switching<N, K, C, W>,
     S::Scalar: Ordered,
 {
-    /// The guards of a step that starts at a state.
+    /// The guards of a step that starts at a state, and is a polynomial or not.
     pub(super) fn new(
         system: &'a S,
         in_regime: &'a S::InRegime,
         regime: &'a Regime<S::Scalar, C, W>,
         inputs: &'a [S::Scalar; K],
-        start: &State<S::Scalar, N>,
+        start: &'a State<S::Scalar, N>,
         is_along: bool,
     ) -> Self {
         let zero: S::Scalar = num_traits::Zero::zero();
         let slips = |row: usize| regime.slip[row] != zero;
-        let mut watch = Watch { rows: [false; C], directions: [zero; C], kinks: [true; W] };
+        let mut watch = Watch::new(!is_along);
         let mut turns = false;
         for (row, kind) in S::ROWS.iter().enumerate() {
             watch.rows[row] = match kind {
@@ -81,8 +78,7 @@ where
         if turns {
             watch.directions = system.laws_at(start.t, &start.q, &start.v, inputs).rows.rates;
         }
-        let given = Self::given(system, regime, inputs, start);
-        Self { in_regime, regime, inputs, given, watch, is_along, reacts_along: false }
+        Self { system, in_regime, regime, inputs, start, watch }
     }
 
     /// Whether no guard is watched.
@@ -90,19 +86,14 @@ where
         W == 0 && !self.watch.rows.contains(&true)
     }
 
-    /// Whether samples alone tell about a guard: about a reaction without a polynomial, and about each guard
-    /// of a method without polynomials.
-    fn is_sampled(&self, guard: Guard) -> bool {
-        let is_along = match guard {
-            Guard::Row(row) => !self.is_reaction(row) || self.reacts_along,
-            Guard::Kink(_) => true,
-        };
-        !(self.is_along && is_along)
-    }
-
     /// Whether any guard is made of reactions.
     pub(super) fn has_reactions(&self) -> bool {
         (0..C).any(|row| self.watch.rows[row] && self.is_reaction(row))
+    }
+
+    /// Whether a guard is made of reactions.
+    pub(super) fn is_of_reactions(&self, guard: Guard) -> bool {
+        matches!(guard, Guard::Row(row) if self.is_reaction(row))
     }
 
     /// Whether the guard of a row is made of reactions.
@@ -110,38 +101,43 @@ where
         matches!(S::ROWS[row], Row::Bilateral | Row::Load) || self.regime.active[row]
     }
 
-    /// All guards that are watched.
-    pub(super) fn all(&self) -> impl Iterator<Item = Guard> + '_ {
+    /// All guards, watched or not.
+    pub(super) fn every() -> impl Iterator<Item = Guard> {
         // One range, since the code that follows would be compiled for each part of a chain.
-        let guards =
-            (0..C + W).map(|place| if place < C { Guard::Row(place) } else { Guard::Kink(place - C) });
-        guards.filter(|&guard| self.watch.has(guard))
+        (0..C + W).map(|place| if place < C { Guard::Row(place) } else { Guard::Kink(place - C) })
     }
 
-    /// The guards that are polynomials, as the motion is.
-    pub(super) fn along(&self) -> impl Iterator<Item = Guard> + '_ {
-        self.all().filter(|&guard| !self.is_sampled(guard))
+    /// All guards that are watched.
+    pub(super) fn all(&self) -> impl Iterator<Item = Guard> + '_ {
+        Self::every().filter(|&guard| self.watch.has(guard))
     }
 
     /// The guards that are watched by samples.
     fn sampled(&self) -> impl Iterator<Item = Guard> + '_ {
-        self.all().filter(|&guard| self.is_sampled(guard))
+        self.all().filter(|&guard| self.watch.is_sampled(guard))
     }
 
-    /// The functions of a regime with the guards that they and reactions make, at the indices of their rows
-    /// and kinks.
-    pub(super) fn guarded<T: Real>(
+    /// The functions of a regime in the guards that are watched.
+    pub(super) fn parts<T: Real>(
         &self,
         number: impl Fn(S::Scalar) -> T + Copy,
         t: T,
         [q, v]: [&[T; N]; 2],
+    ) -> Parts<T, C, W> {
+        let u = self.inputs.map(number);
+        let functions = S::functions_in(self.in_regime, number, t, q, v, &u, &self.wanted());
+        let backward = S::backward_in(self.in_regime, number, t, q, v, &u).unwrap_or(functions.fixed);
+        Parts { functions, backward }
+    }
+
+    /// The guards that functions of a regime and reactions make, at the indices of their rows and kinks.
+    pub(super) fn made<T: Real>(
+        &self,
+        number: impl Fn(S::Scalar) -> T + Copy,
+        Parts { mut functions, backward }: Parts<T, C, W>,
         reactions: &[T; C],
     ) -> Functions<T, C, W> {
-        let u = self.inputs.map(number);
-        let mut functions = S::functions_in(self.in_regime, number, t, q, v, &u, &self.wanted());
-        let backward = S::backward_in(self.in_regime, number, t, q, v, &u);
         let Functions { rows, fixed, kinks } = &mut functions;
-        let backward = backward.as_ref().unwrap_or(fixed);
         let turn = |sign: S::Scalar, value: &mut T| {
             if (-sign).is_positive() {
                 *value = -*value;
@@ -173,7 +169,10 @@ where
                             let (limit, other) = (limit(fixed[row]), reactions[other]);
                             limit * limit - (force * force + other * other)
                         }
-                        None => (limit(fixed[row]) + force) * (limit(backward[row]) - force),
+                        None => {
+                            let (forward, back) = (limit(fixed[row]) + force, limit(backward[row]) - force);
+                            if (forward - back).is_positive() { back } else { forward }
+                        }
                     };
                 }
                 Row::Friction { pair: None, .. } => turn(self.regime.slip[row], &mut rows[row]),
@@ -187,23 +186,39 @@ where
         functions
     }
 
+    /// The guards at a state whose numbers are within these errors, with reactions that are known.
+    pub(super) fn rounded(
+        &self,
+        state: &State<S::Scalar, N>,
+        errors: &State<S::Scalar, N>,
+        reactions: &[Rounded<S::Scalar>; C],
+    ) -> Functions<Rounded<S::Scalar>, C, W> {
+        let rounded = |numbers: &[S::Scalar; N], errors: &[S::Scalar; N]| {
+            core::array::from_fn(|i| Rounded { value: numbers[i], error: errors[i] })
+        };
+        let (q, v) = (rounded(&state.q, &errors.q), rounded(&state.v, &errors.v));
+        let t = Rounded { value: state.t, error: errors.t };
+        self.made(Rounded::exact, self.parts(Rounded::exact, t, [&q, &v]), reactions)
+    }
+
     /// The guards at a state whose numbers are sums of summands of these sizes.
     fn guards_at(
         &self,
         state: &State<S::Scalar, N>,
         sizes: &State<S::Scalar, N>,
     ) -> Functions<Rounded<S::Scalar>, C, W> {
-        let rounded = |numbers: &[S::Scalar; N], sizes: &[S::Scalar; N]| {
-            core::array::from_fn(|i| Rounded::sum_of(numbers[i], sizes[i]))
-        };
-        let (q, v) = (rounded(&state.q, &sizes.q), rounded(&state.v, &sizes.v));
-        let t = Rounded::sum_of(state.t, sizes.t);
-        let mut reactions = [Taylor::constant(num_traits::Zero::zero()); C];
+        let ulps = |sizes: &[S::Scalar; N]| sizes.map(|size| S::Scalar::epsilon() * size.abs());
+        let t = S::Scalar::epsilon() * sizes.t.abs();
+        let errors = State { t, q: ulps(&sizes.q), v: ulps(&sizes.v) };
+        let mut reactions = [Rounded::exact(num_traits::Zero::zero()); C];
         if self.has_reactions() {
             let [multipliers, sizes] = self.multipliers(state);
-            reactions = core::array::from_fn(|row| Rounded::sum_of(multipliers[row], sizes[row]));
+            reactions = core::array::from_fn(|row| Rounded {
+                value: multipliers[row],
+                error: S::Scalar::epsilon() * sizes[row],
+            });
         }
-        self.guarded(Taylor::constant, t, [&q, &v], &reactions).plain()
+        self.rounded(state, &errors, &reactions)
     }
 
     /// One of the guards at a state with its derivatives.
@@ -212,17 +227,18 @@ where
         let own = self.only(guard);
         let reactions =
             if own.has_reactions() { self.multipliers(state)[0] } else { [num_traits::Zero::zero(); C] };
-        *own.guarded(|x| x, *t, [q, v], &reactions).get(guard)
+        *own.made(|x| x, own.parts(|x| x, *t, [q, v]), &reactions).get(guard)
     }
 
-    /// One of the guards at a state, likewise.
+    /// One of the guards at a state without derivatives, likewise.
     pub(super) fn value(
         &self,
         guard: Guard,
         state: &State<S::Scalar, N>,
         sizes: &State<S::Scalar, N>,
     ) -> Rounded<S::Scalar> {
-        *self.only(guard).guards_at(state, sizes).get(guard)
+        let Rounded { value, error } = *self.only(guard).guards_at(state, sizes).get(guard);
+        Rounded { value: value.part(0), error: error.part(0) }
     }
 
     /// All guards that are watched by samples, at a state.
@@ -230,8 +246,8 @@ where
         let mut values = Values::of(num_traits::Zero::zero());
         let guarded = self.guards_at(state, state);
         for guard in self.sampled() {
-            let value = guarded.get(guard);
-            let known = (value.start(), value.error / S::Scalar::epsilon());
+            let &Rounded { value, error } = guarded.get(guard);
+            let known = (value.part(0), error.part(0) / S::Scalar::epsilon());
             match guard {
                 Guard::Row(row) => (values.rows[row], values.row_sizes[row]) = known,
                 Guard::Kink(kink) => (values.kinks[kink], values.kink_sizes[kink]) = known,
@@ -286,6 +302,8 @@ where
                         earliest = Some((place, guard));
                     }
                     Ok(_) => {}
+                    // No polynomial knows the distance from a centre at the centre.
+                    Err(_) if width <= shortest && is_clear(|place| values(place).get(guard).0) => {}
                     Err(why) => unresolved = Some(why),
                 }
             }
@@ -324,6 +342,7 @@ where
         match S::ROWS[row] {
             Row::Unilateral if !is_active => scales.gaps[row],
             Row::Bilateral | Row::Unilateral | Row::Load => scales.reactions[row],
+            Row::Friction { pair: None, .. } if is_active => scales.reactions[row],
             Row::Friction { .. } if is_active => scales.reactions[row] * scales.reactions[row],
             Row::Friction { pair: None, .. } => scales.speeds[row],
             Row::Friction { pair: Some(other), .. } => {
@@ -368,4 +387,14 @@ where
         let zero = polynomial.first(Kind::Falling, memory);
         Ok(zero.map(|zero| zero.polish(|place| value(place).0)))
     }
+}
+
+/// Whether a guard on a part of the step too short to matter is as far from zero as it would not come in
+/// many such parts.
+#[cold]
+pub(super) fn is_clear<R: Ordered>(mut value: impl FnMut(R) -> R) -> bool {
+    let values = [0.0, 0.25, 0.5, 0.75, 1.0].map(|place| value(R::from_f64(place)));
+    let least = values.into_iter().fold(values[0], smaller);
+    let most = values.into_iter().fold(values[0], larger);
+    least > R::from_f64(64.0) * (most - least) && values.iter().all(|value| value.is_finite())
 }

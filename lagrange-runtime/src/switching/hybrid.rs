@@ -72,6 +72,7 @@ where
             way: [num_traits::Zero::zero(); N],
             is_way: false,
             is_fresh: true,
+            is_cut: false,
             stuck: None,
             fired: None,
             scales: Scales::new(),
@@ -92,7 +93,7 @@ where
             memory.regime = regime;
         }
         (memory.start, memory.end, memory.is_way) = (state, state, false);
-        (memory.is_fresh, memory.stuck) = (true, None);
+        (memory.is_fresh, memory.is_cut, memory.stuck) = (true, false, None);
     }
 
     fn start(memory: &Self::Memory) -> &State<S::Scalar, N> {

@@ -26,6 +26,8 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     /// The regime and the state that follow the piece; `None` where it ended without an event. The state may
     /// be a little later than the end of the piece.
     pub(super) next: Option<(Regime<R, C, W>, State<R, N>)>,
+    /// Whether the piece ended where its guards are known no further: then the regime stays.
+    pub(super) is_cut: bool,
     /// The impulses of the last change of regime, zero where it was no impact.
     pub(super) impulses: [R; C],
     /// The accelerations on the way to it.
@@ -81,7 +83,7 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
 
     /// The states before and after the change of regime that ends the piece.
     pub(super) fn switch(&self) -> Option<(State<R, N>, State<R, N>)> {
-        self.next.map(|(_, state)| (self.end, state))
+        self.next.filter(|_| !self.is_cut).map(|(_, state)| (self.end, state))
     }
 
     /// The impulses of the last change of the regime.

@@ -14,6 +14,7 @@ mod begin;
 mod choice;
 mod contacts;
 mod corners;
+mod course;
 mod functions;
 mod guards;
 mod hybrid;
@@ -116,6 +117,17 @@ pub struct Functions<T, const C: usize, const W: usize> {
     pub kinks: [T; W],
 }
 
+/// How a function of a regime is known along a series of the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Along {
+    /// It does not change.
+    Constant,
+    /// It is the function of this index that the series follows.
+    Series(usize),
+    /// It has no series.
+    Unknown,
+}
+
 /// The functions of a regime that are wanted. The others are zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wanted<const C: usize, const W: usize> {
@@ -141,8 +153,15 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
     /// Whether none of the equations and laws contains time: then rest lasts.
     const AUTONOMOUS: bool = false;
 
-    /// The coordinates and velocities that the functions of regimes contain.
-    const GUARDED: [[bool; N]; 2] = [[true; N]; 2];
+    /// The number of functions of regimes that a series follows.
+    const FOLLOWED: usize = 0;
+
+    /// How the functions of a regime are known along its series.
+    const ALONG: Functions<Along, C, W> =
+        Functions { rows: [Along::Unknown; C], fixed: [Along::Unknown; C], kinks: [Along::Unknown; W] };
+
+    /// The same for [`backward_in`](Self::backward_in).
+    const BACKWARD: [Along; C] = Self::ALONG.fixed;
 
     /// The user's function that contains each kink.
     const KINKS: [Name; W] = [Name::NONE; W];

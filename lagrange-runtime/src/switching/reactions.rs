@@ -5,14 +5,13 @@
 //! is on the line between the others. So the bound of its rounding errors is made of the forces that the
 //! reaction is the difference of, order by order.
 
+use super::course::Course;
 use super::guards::Guards;
 use super::scene::{against, entry, most, product, rounding};
 use super::{Regime, Row, Switching};
 use crate::constraints::{Balance, Equations};
 use crate::linear::{SaddlePoint, Switched};
 use crate::number::real::{Ordered, Real};
-use crate::series::taylor::{TERMS, Taylor};
-use crate::system::method::Terms;
 use crate::system::state::State;
 
 /// The reactions along a step.
@@ -20,10 +19,10 @@ pub(super) struct Borne<R, const N: usize, const C: usize> {
     /// The effect of rounding errors of the forces on velocities until the end of the step. An acceleration
     /// may be a small difference of forces, as where a slip begins, so that its own size tells nothing.
     pub(super) roundings: [R; N],
-    /// The reactions as polynomials of the part that has passed.
-    pub(super) reactions: [Taylor<R>; C],
-    /// Whether the method has them, and they converge on the whole of the step as the motion does, to half of
-    /// the digits of its tolerance.
+    /// The errors of the polynomials of reactions: rounding and truncation.
+    pub(super) errors: [R; C],
+    /// Whether these converge on the whole of the step as the motion does, to half of the digits of its
+    /// tolerance.
     pub(super) is_known: bool,
 }
 
@@ -91,13 +90,10 @@ where
     S: Switching<N, K, C, W>,
     S::Scalar: Ordered,
 {
-    /// The sizes at coordinates of the frictions that slip in a regime and whose sizes are given.
-    pub(super) fn given(
-        system: &S,
-        regime: &Regime<S::Scalar, C, W>,
-        inputs: &[S::Scalar; K],
-        State { t, q, v }: &State<S::Scalar, N>,
-    ) -> [S::Scalar; N] {
+    /// The sizes of frictions that slip and whose force is given. They are among the forces and may balance
+    /// the others.
+    fn given(&self) -> [S::Scalar; N] {
+        let Self { system, regime, inputs, start: State { t, q, v }, .. } = *self;
         let mut given = [num_traits::Zero::zero(); N];
         let slips = |row: usize| match S::ROWS.get(row) {
             Some(Row::Friction { normal: None, pair }) => {
@@ -105,7 +101,7 @@ where
             }
             _ => false,
         };
-        let mut held = *regime;
+        let mut held: Regime<S::Scalar, C, W> = *regime;
         for (row, active) in held.active.iter_mut().enumerate() {
             *active |= slips(row);
         }
@@ -143,7 +139,8 @@ where
 
     /// The sizes of forces at coordinates in these units, without reactions.
     fn sizes_of(&self, forces: &[S::Scalar; N], units: &[S::Scalar; N]) -> [S::Scalar; N] {
-        core::array::from_fn(|i| (entry(forces, i).abs() + entry(&self.given, i)) * entry(units, i))
+        let given = self.given();
+        core::array::from_fn(|i| (entry(forces, i).abs() + entry(&given, i)) * entry(units, i))
     }
 
     /// The multipliers at a state, and the forces at their rows that they are differences of.
@@ -160,19 +157,13 @@ where
         [multipliers, sizes]
     }
 
-    /// The reactions along a step, whose length has these powers.
-    pub(super) fn borne(
-        &self,
-        start: &State<S::Scalar, N>,
-        terms: &Terms<'_, S::Scalar, N>,
-        powers: &[S::Scalar; TERMS],
-        relative: S::Scalar,
-    ) -> Borne<S::Scalar, N, C> {
+    /// The reactions along a step.
+    pub(super) fn borne(&self, course: &Course<'_, S::Scalar, N>) -> Borne<S::Scalar, N, C> {
         let zero: S::Scalar = num_traits::Zero::zero();
-        let mut borne =
-            Borne { roundings: [zero; N], reactions: [Taylor::constant(zero); C], is_known: false };
-        let State { t, q, v } = start;
+        let mut borne = Borne { roundings: [zero; N], errors: [zero; C], is_known: true };
+        let State { t, q, v } = self.start;
         let Some(known) = S::rows_in(self.in_regime, *t, q, v, self.inputs) else { return borne };
+        let Course { terms, powers, .. } = course;
         let levers = Levers::new(&known.gradients, known.units);
         let mut forces = self.sizes_of(&known.forces, &levers.units);
         let rows = || {
@@ -181,57 +172,46 @@ where
         };
         let first = rows().next().copied();
         let rounding: S::Scalar = rounding();
-        let time = (terms.length * terms.unit).abs();
+        let time = course.time();
         let all = levers.with(&first.unwrap_or([zero; C]), &forces);
         borne.roundings = core::array::from_fn(|i| {
             let gained = terms.v.first().map_or(zero, |row| (terms.length * row[i]).abs());
             rounding * (gained + time * all[i] * levers.units[i])
         });
-        if first.is_none() || !self.has_reactions() {
+        if !self.has_reactions() {
             return borne;
+        }
+        if first.is_none() {
+            return Borne { is_known: false, ..borne };
         }
         let (mut sums, mut last) = ([zero; C], [[zero; C]; 2]);
         let paces =
             levers.units.map(|unit| if unit.is_positive() { (terms.unit * unit).recip() } else { zero });
-        // Reactions of rows that are not active are zero.
-        let reacts: [bool; C] = core::array::from_fn(|row| {
-            matches!(S::ROWS[row], Row::Bilateral | Row::Load) || self.regime.active[row]
-        });
         let mut place: S::Scalar = zero;
-        for (order, ((row, speeds), &power)) in rows().zip(terms.v).zip(powers).enumerate() {
+        for ((row, speeds), &power) in rows().zip(terms.v).zip(powers) {
             let size = power.abs();
             place += num_traits::One::one();
             // Forces that accelerate count as well.
             for (force, (&speed, &pace)) in forces.iter_mut().zip(speeds.iter().zip(&paces)) {
                 *force += size * (place * speed * pace).abs();
             }
-            for own in (0..C).filter(|&own| reacts[own]) {
-                let term = if order == 0 { row[own] } else { row[own] * power };
-                let magnitude = size * row[own].abs();
-                (last[0][own], last[1][own]) = (last[1][own], magnitude);
-                sums[own] += magnitude;
-                let reaction = &mut borne.reactions[own];
-                if let Some(to) = reaction.coefficients.get_mut(order) {
-                    *to = term;
-                    if term != zero {
-                        reaction.degree = order;
-                    }
-                }
+            let magnitudes = row.map(|reaction| size * reaction.abs());
+            last = [last[1], magnitudes];
+            for (sum, magnitude) in sums.iter_mut().zip(magnitudes) {
+                *sum += magnitude;
             }
         }
         let mut sizes = levers.sizes(&levers.reach(|row| self.drives(row)), &sums, &forces);
         // The factors bound the sizes of loads.
         if S::ROWS.contains(&Row::Load)
-            && let Some(equations) = self.equations(start)
+            && let Some(equations) = self.equations(self.start)
         {
             equations.saddle.bound_loads(&mut sizes);
         }
-        let [before, last] = last;
-        let share = relative.sqrt();
-        borne.is_known = (0..C).all(|row| before[row] + last[row] <= share * sizes[row]);
-        for (row, reaction) in borne.reactions.iter_mut().enumerate() {
-            reaction.error = rounding * sizes[row] + before[row] + last[row];
-        }
+        let left: [S::Scalar; C] = core::array::from_fn(|row| last[0][row] + last[1][row]);
+        let share = course.left.sqrt();
+        borne.is_known = (0..C).all(|row| left[row] <= share * sizes[row]);
+        borne.errors = core::array::from_fn(|row| rounding * sizes[row] + left[row]);
         borne
     }
 }

@@ -1,5 +1,6 @@
 //! A motion on its way from regime to regime.
 
+use super::course::Course;
 use super::guards::{Guard, Guards};
 use super::hybrid::{Memory, sum};
 use super::memory::shift;
@@ -20,10 +21,11 @@ pub(super) const CHANGES: usize = 4;
 /// The part of a piece at which its guard is compared with the end, for its slope.
 const EARLIER: f64 = 1.0 - 1e-3;
 
-/// The place where a guard has fired.
+/// The place where a piece ends before its step.
 struct Event<R, const N: usize> {
     state: State<R, N>,
-    guard: Guard,
+    /// The guard that has fired; `None` if the guards are known no further.
+    guard: Option<Guard>,
     /// The delay of the time of the state after the zero of the guard, since times are rounded.
     late: R,
 }
@@ -178,15 +180,19 @@ where
                 self.memory.end = start;
                 at(&start, cause)
             })?;
-            self.memory.fired = found.as_ref().map(|event| event.guard);
+            self.memory.fired = found.as_ref().and_then(|event| event.guard);
+            self.memory.is_cut = found.is_some() && self.memory.fired.is_none();
             let Some(Event { state, guard, late }) = found else {
-                let laws = self.system.laws_at(end.t, &end.q, &end.v, &self.control.0);
-                self.memory.scales.see(&laws);
-                // No step ends behind a contact that is open, even if a polynomial has missed it.
-                if let Some(cause) = self.missed(&laws) {
-                    self.memory.end = start;
-                    self.memory.stuck = Some(cause);
-                    return Err(at(&start, cause));
+                // Kinks alone have no gaps, and no scales.
+                if C > 0 {
+                    let laws = self.system.laws_at(end.t, &end.q, &end.v, &self.control.0);
+                    self.memory.scales.see(&laws);
+                    // No step ends behind a contact that is open, even if a polynomial has missed it.
+                    if let Some(cause) = self.missed(&laws) {
+                        self.memory.end = start;
+                        self.memory.stuck = Some(cause);
+                        return Err(at(&start, cause));
+                    }
                 }
                 self.passed(start.t, end.t);
                 self.come_to_rest().map_err(|cause| at(&end, cause))?;
@@ -194,9 +200,13 @@ where
             };
             self.memory.end = state;
             let has_passed = self.passed(start.t, state.t);
-            if let Err(cause) = self.switch(guard, late) {
-                self.memory.stuck = Some(cause);
-                return Err(at(&state, cause));
+            match guard.map(|guard| self.switch(guard, late)) {
+                None => self.memory.next = Some((self.memory.regime, state)),
+                Some(Ok(())) => {}
+                Some(Err(cause)) => {
+                    self.memory.stuck = Some(cause);
+                    return Err(at(&state, cause));
+                }
             }
             if has_passed {
                 return Ok(());
@@ -245,11 +255,12 @@ where
             return Ok(None);
         }
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
-        let mut fall = None;
+        let (mut fall, mut known) = (None, one);
         if let Some(terms) = terms {
-            let found =
-                guards.first_along([&start, &end], &terms, memory.fired, self.limits.relative, attempts)?;
-            fall = found.map(|found| {
+            let course = Course::new(terms, self.limits.relative, S::FOLLOWED);
+            let found = guards.first_along(&course, &end, memory.fired, attempts)?;
+            known = found.until;
+            fall = found.first.map(|found| {
                 let sizes = terms.sizes(&start, found.0.place);
                 (found, sizes, terms.length * terms.unit, terms.residue)
             });
@@ -267,12 +278,16 @@ where
             .map(|((fall, guard), sizes, ..)| (guards.at_zero(*guard, *fall, sizes, &mut at), *guard));
         // The time from the start to this part of the step, without the rounding of times.
         let mut passed = first.zip(fall).map(|((part, _), (.., length, residue))| part * length + residue);
-        let until = first.map_or(one, |(part, _)| part);
+        let until = first.map_or(known, |(part, _)| part);
         let sampled = guards.first(&memory.scales, [start.t, end.t], until, attempts, &mut at)?;
         if sampled.is_some() {
             (first, passed) = (sampled, None);
         }
-        let Some((part, guard)) = first else { return Ok(None) };
+        let (part, guard) = match first {
+            Some((part, guard)) => (part, Some(guard)),
+            None if known < one => (known, None),
+            None => return Ok(None),
+        };
         // A state belongs to a rounded time. The guard tells how much rounding has moved it.
         let mut at_time = |part: S::Scalar| {
             let t = start.t + part * (end.t - start.t);
@@ -285,9 +300,12 @@ where
             M::sample(inner, in_regime, constants, control, limits, t, &mut 0).map_err(|error| error.cause)
         };
         let state = at_time(part)?;
-        let late = match passed {
-            Some(passed) => (state.t - start.t) - passed.part(0),
-            None => guards.late(guard, [&at_time(part * S::Scalar::from_f64(EARLIER))?, &state]),
+        let late = match (passed, guard) {
+            (Some(passed), _) => (state.t - start.t) - passed.part(0),
+            (None, Some(guard)) => {
+                guards.late(guard, [&at_time(part * S::Scalar::from_f64(EARLIER))?, &state])
+            }
+            (None, None) => zero,
         };
         Ok(Some(Event { state, guard, late }))
     }

@@ -3,7 +3,7 @@
 //! After a while, in `f32` soon, time is known no better than to a part of a short step. Events within a step
 //! do not suffer from that: here only the equations see the full time.
 
-use super::{Coefficients, Functions, Laws, Regime, Row, Switching, Wanted};
+use super::{Along, Coefficients, Functions, Laws, Regime, Row, Switching, Wanted};
 use crate::constraints::Equations;
 use crate::integrator::Dop853;
 use crate::linear::{Switched, SwitchedRows};
@@ -147,8 +147,8 @@ impl<I: Smooth<N, K> + Copy, const N: usize, const K: usize> Smooth<N, K> for In
         self.in_regime.jet_at(constants, self.instant + t, q, v, u, h, orders, tables, series)
     }
 
-    fn reactions<const P: usize>(tables: &Self::Tables<P>) -> &[Self::Scalar] {
-        I::reactions(tables)
+    fn followed<const P: usize>(tables: &Self::Tables<P>) -> [&[Self::Scalar]; 2] {
+        I::followed(tables)
     }
 }
 
@@ -195,6 +195,9 @@ where
     const ROWS: [Row; C] = S::ROWS;
     const POISSON: [bool; C] = S::POISSON;
     const AUTONOMOUS: bool = S::AUTONOMOUS;
+    const FOLLOWED: usize = S::FOLLOWED;
+    const ALONG: Functions<Along, C, W> = S::ALONG;
+    const BACKWARD: [Along; C] = S::BACKWARD;
     const KINKS: [Name; W] = S::KINKS;
 
     fn in_regime(&self, regime: &Regime<S::Scalar, C, W>) -> Self::InRegime {

@@ -51,6 +51,10 @@ pub struct Terms<'a, R, const N: usize> {
     /// Terms of the reactions from order zero on, the rows of an order side by side. Empty where they are not
     /// known.
     pub reactions: &'a [R],
+    /// Terms of the functions that the series follows, from the first order on, likewise.
+    pub functions: &'a [R],
+    /// The relative truncation error of the polynomial, where no tolerance bounds it.
+    pub left: R,
 }
 
 impl<R: Real, const N: usize> Terms<'_, R, N> {

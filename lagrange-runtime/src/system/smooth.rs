@@ -51,11 +51,12 @@ pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
         series: &mut Series<Self::Scalar, N, P>,
     ) -> bool;
 
-    /// Coefficients of the reactions along the series that `tables` belong to, of a system with contacts:
-    /// from order zero to the one below that of the series, the rows of an order side by side.
+    /// Coefficients of reactions and of functions of the state along the series that `tables` belong to, of a
+    /// system whose equations switch: of reactions from order zero to the one below that of the series, of
+    /// functions from the first order on, the rows of an order side by side.
     #[doc(hidden)]
-    fn reactions<const P: usize>(_tables: &Self::Tables<P>) -> &[Self::Scalar] {
-        &[]
+    fn followed<const P: usize>(_tables: &Self::Tables<P>) -> [&[Self::Scalar]; 2] {
+        [&[]; 2]
     }
 }
 

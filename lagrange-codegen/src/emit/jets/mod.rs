@@ -59,23 +59,23 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
         ),
         Sums::Few(products) => (format!("Tables<{scalar}, {}, ORDERS>", padded(products)), String::new()),
     };
-    // Guards of contacts are functions of the reactions.
-    let held = reacting(expansion);
-    let (tables, reactions) = match held {
-        None => (tables, String::new()),
-        Some(rows) => {
-            let tables = format!("jets::Reacting<lagrange::{tables}, {scalar}, {rows}, ORDERS>");
-            let reactions = format!(
-                "#[inline]\nfn reactions<const ORDERS: usize>(tables: &lagrange::{tables}) -> &[{scalar}] {{\ntables.reactions.rows()\n}}\n"
-            );
-            (tables, reactions)
-        }
-    };
-    let opened = if held.is_none() {
-        String::new()
+    // Guards are functions of the state and of reactions.
+    let (held, followed) = (reacting(expansion), expansion.followed.len());
+    let (tables, opened, along) = if held == 0 && followed == 0 {
+        (tables, String::new(), String::new())
     } else {
-        let own = if expansion.factors.is_empty() { "tables: _" } else { "tables" };
-        format!("let lagrange::jets::Reacting {{ {own}, reactions }} = tables;\n")
+        let tables = format!("jets::Followed<lagrange::{tables}, {scalar}, {held}, {followed}, ORDERS>");
+        let along = format!(
+            "#[inline]\nfn followed<const ORDERS: usize>(tables: &lagrange::{tables}) -> [&[{scalar}]; 2] {{\ntables.rows()\n}}\n"
+        );
+        let read = |is_read: bool, name: &str| if is_read { name.to_owned() } else { format!("{name}: _") };
+        let opened = format!(
+            "let lagrange::jets::Followed {{ {}, {}, {} }} = tables;\n",
+            read(!expansion.factors.is_empty(), "tables"),
+            read(held > 0, "reactions"),
+            read(followed > 0, "functions")
+        );
+        (tables, opened, along)
     };
     let text = opened + &text;
     let (vector, inputs) = (emission.vector_type(), emission.input_type());
@@ -88,22 +88,22 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
          #[inline]\nfn jet_constants(&self) -> {constants_type} {{\n{constants_body}\n}}\n\
          #[inline]\nfn jet_at<const ORDERS: usize>(\n&self, {}: &{constants_type}, {}: {scalar}, {}: &{vector}, v: &{vector}, \
          {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut lagrange::{tables}, \
-         series: &mut lagrange::Series<{scalar}, {count}, ORDERS>,\n) -> bool {{\n{items}{}\n}}\n{reactions}",
+         series: &mut lagrange::Series<{scalar}, {count}, ORDERS>,\n) -> bool {{\n{items}{}\n}}\n{along}",
         if jets.is_steep { "const STEEP: bool = true;\n" } else { "" },
         if shares_pivots { "const SHARES_PIVOTS: bool = true;\n" } else { "" },
         named(factored || !hoisted.is_empty(), "constants"),
         named(reads.time, "t"),
         named(reads.coordinates.contains(&true) || !emission.solved.turning.is_empty(), "q"),
         named(reads.inputs.contains(&true), "u"),
-        named(!expansion.factors.is_empty() || held.is_some(), "tables"),
+        named(!expansion.factors.is_empty() || held + followed > 0, "tables"),
         body::imported(gather(&text)),
     )
 }
 
-/// The number of rows, for a system in which some rows hold at times.
-fn reacting(expansion: &Expansion) -> Option<usize> {
-    let saddle = expansion.saddle.as_ref()?;
-    (!saddle.switches.is_empty()).then_some(saddle.gradients.len())
+/// The number of rows of a system in which some rows hold at times; else zero.
+fn reacting(expansion: &Expansion) -> usize {
+    let rows = expansion.saddle.as_ref().filter(|saddle| !saddle.switches.is_empty());
+    rows.map_or(0, |saddle| saddle.gradients.len())
 }
 
 /// The number of columns in the tables of some products.
@@ -125,7 +125,8 @@ impl Outputs {
         start.extend(solvers::at_start(expansion));
         let mut end: Vec<Slot> = expansion.factors.iter().map(|factor| factor.coefficient).collect();
         end.extend(expansion.carried.iter().map(|carried| carried.next));
-        let solution = expansion.coordinates.iter().chain(&expansion.velocities).copied().collect();
+        let series = expansion.coordinates.iter().chain(&expansion.velocities);
+        let solution = series.chain(&expansion.followed).copied().collect();
         Outputs { start, order: solvers::in_order(expansion), solution, end }
     }
 
@@ -233,8 +234,11 @@ impl Pass<'_> {
         text.push_str(&lines(writer.part(&[&early[..], &outputs.order].concat(), names)));
         text.push_str(&solvers::order(emission, expansion, &solvers, writer, of));
         text.push_str(&lines(writer.part(&outputs.solution, names)));
-        if reacting(expansion).is_some() {
+        if reacting(expansion) > 0 {
             text.push_str(&format!("reactions.set(order, {});\n", of.multipliers.1.list()));
+        }
+        if !expansion.followed.is_empty() {
+            text.push_str(&format!("functions.set(order, {});\n", writer.list(&expansion.followed)));
         }
         text.push_str(&format!(
             "series.set(order, {}, {});\nif order == orders {{\nreturn false;\n}}\n",

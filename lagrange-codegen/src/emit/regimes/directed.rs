@@ -37,7 +37,7 @@ pub(super) fn backward(emission: &Emission<'_>, switching: &Regimes) -> String {
         return String::new();
     }
     let numbers = Scalar::Generic(format_ident!("{NUMBER}"));
-    let [_, backward] = &switching.fixed_in;
+    let [_, backward] = &switching.guards.fixed;
     let body = body::plain(&switching.model, &numbers, backward, Source::Numbers, |values| {
         format!("::core::option::Option::Some([{}])", values.join(", "))
     });

@@ -1,4 +1,5 @@
-//! `functions_in`: gaps, slip velocities and switching functions in one regime, over any numbers.
+//! `functions_in`: gaps, slip velocities and switching functions in one regime, over any numbers, and how
+//! they are known along a series.
 //!
 //! A regime asks for few of them, and over polynomials each operation is dear. So a part that several
 //! functions share is computed if one of them is asked for, and the rest of a function if that function is.
@@ -12,7 +13,8 @@ use super::super::body::{self, Source};
 use super::super::names::Names;
 use super::super::{Emission, scalar};
 use super::NUMBER;
-use crate::expr::{NodeId, Unary, Variable};
+use crate::expr::{NodeId, Unary};
+use crate::jets::Along;
 use crate::regimes::Regimes;
 use crate::schedule::{Instruction, Program, Slot, plan};
 use crate::syntax::Scalar;
@@ -20,17 +22,20 @@ use crate::syntax::Scalar;
 /// A set of functions, by their indices among the roots of a program.
 type Functions = BTreeSet<usize>;
 
-/// `functions_in`, and the coordinates and velocities that the functions depend on.
+/// `functions_in`, and how the functions are known along a series.
 pub(super) fn functions(emission: &Emission<'_>, switching: &Regimes) -> String {
     let numbers = Scalar::Generic(format_ident!("{NUMBER}"));
     let zero = scalar::zero(&numbers);
-    let lists =
-        [("rows", &switching.rows_in), ("fixed", &switching.fixed_in[0]), ("kinks", &switching.kinks_in)];
+    let lists = [
+        ("rows", &switching.guards.rows),
+        ("fixed", &switching.guards.fixed[0]),
+        ("kinks", &switching.guards.kinks),
+    ];
     let roots: Vec<NodeId> = lists.iter().flat_map(|(_, nodes)| nodes.iter().copied()).collect();
     let flags =
         lists.iter().flat_map(|(list, nodes)| (0..nodes.len()).map(move |i| format!("__wanted.{list}[{i}]")));
     let flags: Vec<String> = flags.collect();
-    let (rows, kinks) = (switching.rows_in.len(), switching.kinks_in.len());
+    let (rows, kinks) = (switching.rows(), switching.guards.kinks.len());
     let model = &switching.model;
     let program = plan(&model.graph, &roots);
     let users = users(&program);
@@ -75,11 +80,11 @@ pub(super) fn functions(emission: &Emission<'_>, switching: &Regimes) -> String 
     let [of_rows, fixed, of_kinks] = [&each[..rows], &each[rows..], of_kinks].map(|values| values.join(", "));
     let (own, count, given) = (&emission.scalar, emission.count(), emission.model.inputs.len());
     format!(
-        "{}fn functions_in<{NUMBER}: lagrange::Real>(\n__in_regime: &Self::InRegime, __number: impl ::core::ops::Fn({own}) -> {NUMBER}, \
+        "fn functions_in<{NUMBER}: lagrange::Real>(\n__in_regime: &Self::InRegime, __number: impl ::core::ops::Fn({own}) -> {NUMBER}, \
          t: {NUMBER}, q: &[{NUMBER}; {count}], v: &[{NUMBER}; {count}], u: &[{NUMBER}; {given}], \
          __wanted: &lagrange::Wanted<{rows}, {kinks}>,\n) -> lagrange::Functions<{NUMBER}, {rows}, {kinks}> {{\n{text}\
-         lagrange::Functions {{ rows: [{of_rows}], fixed: [{fixed}], kinks: [{of_kinks}] }}\n}}\n",
-        guarded(switching, &roots, count)
+         lagrange::Functions {{ rows: [{of_rows}], fixed: [{fixed}], kinks: [{of_kinks}] }}\n}}\n{}",
+        along(switching)
     )
 }
 
@@ -126,28 +131,25 @@ fn shared(program: &Program, users: &[Functions]) -> Vec<Functions> {
     shared
 }
 
-/// `GUARDED`.
-fn guarded(switching: &Regimes, roots: &[NodeId], count: usize) -> String {
-    let model = &switching.model;
-    let mut roots = roots.to_vec();
-    if switching.coefficients.is_some() {
-        roots.extend(&switching.fixed_in[1]);
-    }
-    let program = plan(&model.graph, &roots);
-    let mut read = [vec![false; count], vec![false; count]];
-    for slot in program.needed(&program.outputs) {
-        match program.instruction(slot) {
-            Instruction::Variable(Variable::Coordinate(i)) => read[0][i as usize] = true,
-            Instruction::Variable(Variable::Velocity(i)) => read[1][i as usize] = true,
-            Instruction::Variable(Variable::Entry(entry)) => {
-                let first = model.orientations[entry as usize / 9];
-                read[0][first..first + 3].fill(true);
-            }
-            _ => {}
-        }
-    }
-    if read.iter().flatten().all(|&read| read) {
-        return String::new();
-    }
-    format!("const GUARDED: [[bool; {count}]; 2] = {read:?};\n")
+/// How the functions are known along a series; empty for systems without series.
+fn along(switching: &Regimes) -> String {
+    let Some(jets) = &switching.jets else { return String::new() };
+    let (rows, kinks) = (switching.rows(), switching.guards.kinks.len());
+    let mut along = jets.along.iter().map(|along| match along {
+        Along::Constant => "lagrange::Along::Constant".to_owned(),
+        Along::Series(index) => format!("lagrange::Along::Series({index})"),
+        Along::Unknown => "lagrange::Along::Unknown".to_owned(),
+    });
+    let mut list = |count: usize| along.by_ref().take(count).collect::<Vec<_>>().join(", ");
+    let [of_rows, forward, backward, of_kinks] = [rows, rows, rows, kinks].map(&mut list);
+    let backward = match &switching.coefficients {
+        Some(_) => format!("const BACKWARD: [lagrange::Along; {rows}] = [{backward}];\n"),
+        None => String::new(),
+    };
+    format!(
+        "const FOLLOWED: usize = {};\n\
+         const ALONG: lagrange::Functions<lagrange::Along, {rows}, {kinks}> = \
+         lagrange::Functions {{ rows: [{of_rows}], fixed: [{forward}], kinks: [{of_kinks}] }};\n{backward}",
+        jets.followed.len()
+    )
 }

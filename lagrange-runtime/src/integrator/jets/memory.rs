@@ -140,6 +140,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
             unit: self.unit,
             residue: self.residue.t,
             reactions: &[],
+            functions: &[],
+            left: R::zero(),
         }
     }
 
@@ -345,8 +347,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         if halfway.ln() > -number(DECAY).ln() * number(0.25) * number(p as f64) {
             return None;
         }
-        // Constraints couple the coordinates, so these errors are parts of the whole state in the kinetic
-        // metric.
+        // Constraints couple coordinates, so these errors are parts of the whole state in the kinetic metric.
         let share = across(last_term(limits.relative), &self.independence?).largest() / R::Lane::epsilon();
         let weights = self.ulps.map(|ulps| ulps.map(|ulp| (share * ulp.largest()).recip()));
         let term = |order: usize| self.term(&weights, order, 0);

@@ -8,7 +8,7 @@
 use super::super::jet::is_sound;
 use super::super::landing::energy::is_kept;
 use super::JetsMemory;
-use crate::number::real::{Ordered, Real};
+use crate::number::real::{Ordered, Real, larger};
 use crate::system::attitude;
 use crate::system::control::Held;
 use crate::system::diagnose;
@@ -195,8 +195,10 @@ where
     where
         S::Scalar: Ordered,
     {
-        let reactions = if memory.is_as_expanded { S::reactions(&memory.tables) } else { &[] };
-        Some(Terms { reactions, ..memory.terms() })
+        let none: [&[_]; 2] = [&[]; 2];
+        let [reactions, functions] = if memory.is_as_expanded { S::followed(&memory.tables) } else { none };
+        let terms = Terms { reactions, functions, ..memory.terms() };
+        Some(Terms { left: left(&terms), ..terms })
     }
 
     fn within(
@@ -247,6 +249,20 @@ where
         let state = memory.at(t);
         onto(memory, system, constants, state)
     }
+}
+
+/// The share of the last two terms of a step in the velocities.
+fn left<R: Ordered, const N: usize>(terms: &Terms<'_, R, N>) -> R {
+    let length = terms.length.abs();
+    let sizes = |i: usize| terms.v.iter().rev().fold(R::zero(), |sum, row| (sum + row[i].abs()) * length);
+    let last = |i: usize| {
+        let last = terms.v.iter().enumerate().rev().take(2);
+        last.fold(R::zero(), |sum, (order, row)| sum + row[i].abs() * length.powi(order as i32 + 1))
+    };
+    (0..N).fold(R::zero(), |left, i| {
+        let (last, size) = (last(i), sizes(i));
+        if size.is_positive() { larger(left, last / size) } else { left }
+    })
 }
 
 /// A state on the step, moved onto the constraints like its ends.

@@ -143,31 +143,29 @@ fn to_bernstein<R: Ordered>(powers: &mut [R]) {
 }
 
 /// What bounds the roundings of a guard and of sums of its terms.
-fn noise<R: Ordered, const T: usize>(guard: &Taylor<R, T>) -> R {
+fn noise<R: Ordered>(guard: &Taylor<R>) -> R {
     let summed = R::from_f64(2.0 * guard.degree as f64 + 2.0) * R::epsilon();
     guard.error + summed * guard.extent()
 }
 
 /// Whether a guard is above zero on the whole of its interval, by more than its roundings.
-pub(crate) fn stays_above<R: Ordered, const T: usize>(guard: &Taylor<R, T>) -> bool {
+pub(crate) fn stays_above<R: Ordered>(guard: &Taylor<R>) -> bool {
     let noise = noise(guard);
     guard.start() + guard.down() > noise
         || guard.start() > noise && guard.end() > noise && is_bounded(guard, noise)
 }
 
 /// Whether coefficients of Bernstein are above the roundings.
-fn is_bounded<R: Ordered, const T: usize>(guard: &Taylor<R, T>, noise: R) -> bool {
+fn is_bounded<R: Ordered>(guard: &Taylor<R>, noise: R) -> bool {
     let mut part = guard.coefficients;
     let part = part.get_mut(..=guard.degree).unwrap_or_default();
     to_bernstein(part);
     part.iter().all(|&term| term > noise)
 }
 
-/// Whether a guard, whose series is whole but for what its error bounds, rises from where it starts and does
-/// not come back: whether what it gains is a positive multiple of the time, by more than that error. What is
-/// left of high orders is a multiple of time as well, and what is none is rounding, within which nothing
-/// falls.
-pub(crate) fn rises<R: Ordered, const T: usize>(guard: &Taylor<R, T>, before: Before) -> bool {
+/// Whether a guard rises from where it starts and does not come back: whether what it gains is a positive
+/// multiple of the time, by more than its error.
+pub(crate) fn rises<R: Ordered>(guard: &Taylor<R>, before: Before) -> bool {
     if before == Before::Unknown && guard.start() < R::zero() {
         return false;
     }
@@ -301,14 +299,11 @@ fn with_slope<R: Ordered>(polynomial: &[R], theta: R) -> [R; 2] {
     [R::mul_add(odd, theta, even), slope]
 }
 
-/// The part of the interval on which what has been left away of a guard is less than its roundings.
-pub(crate) fn reach<R: Ordered>(guard: &Taylor<R>) -> R {
+/// The part of the interval on which the last terms of a series to this order are less than a `share` of the
+/// guard. Every other term of an even or odd function is zero.
+pub(crate) fn reach<R: Ordered>(guard: &Taylor<R>, order: usize, share: R) -> R {
     let mut reach = R::one();
-    if guard.is_whole || guard.degree == 0 {
-        return reach;
-    }
-    // Every other term of an even or odd function is zero.
-    let last = [guard.degree, guard.degree - 1].map(|order| {
+    let last = [order, order.saturating_sub(1)].map(|order| {
         let term = guard.coefficients.get(order).copied().unwrap_or(R::zero()).abs();
         (term, order.max(1) as i32)
     });
@@ -316,8 +311,8 @@ pub(crate) fn reach<R: Ordered>(guard: &Taylor<R>) -> R {
     for _ in 0..AGREED {
         let (size, before) = (size(guard, reach), reach);
         for (term, order) in last {
-            if term * reach.powi(order) > R::epsilon() * size {
-                reach = (R::epsilon() * size / term).powf(R::from_f64(f64::from(order)).recip());
+            if term * reach.powi(order) > share * size {
+                reach = (share * size / term).powf(R::from_f64(f64::from(order)).recip());
             }
         }
         if reach >= before {

@@ -1,7 +1,15 @@
 //! The values of guards at a time.
 
+use super::super::Functions;
 use super::Guard;
 use crate::number::real::Real;
+
+/// The parts of guards, without reactions.
+pub(in crate::switching) struct Parts<T, const C: usize, const W: usize> {
+    pub(in crate::switching) functions: Functions<T, C, W>,
+    /// Coefficients of the friction that sticks, where slips would go backward.
+    pub(in crate::switching) backward: [T; C],
+}
 
 /// Values of all guards and their sizes.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,7 @@
 
 use super::super::{Row, Switching, Wanted};
 use super::{Guard, Guards};
-use crate::number::real::Ordered;
+use crate::number::real::{Ordered, Real};
 
 /// The guards that are watched in a regime.
 #[derive(Clone, Copy, Debug)]
@@ -14,9 +14,26 @@ pub(in crate::switching) struct Watch<R, const C: usize, const W: usize> {
     pub(super) directions: [R; C],
     /// Kinks that are watched.
     pub(super) kinks: [bool; W],
+    /// Rows and kinks whose guards are sampled, without a series that converges on the step.
+    sampled: ([bool; C], [bool; W]),
 }
 
-impl<R, const C: usize, const W: usize> Watch<R, C, W> {
+impl<R: Real, const C: usize, const W: usize> Watch<R, C, W> {
+    /// All kinks are watched and no row yet, by samples or not.
+    pub(super) fn new(by_samples: bool) -> Self {
+        let sampled = ([by_samples; C], [by_samples; W]);
+        Self { rows: [false; C], directions: [R::zero(); C], kinks: [true; W], sampled }
+    }
+
+    /// Whether a guard is sampled.
+    pub(super) fn is_sampled(&self, guard: Guard) -> bool {
+        let sampled = match guard {
+            Guard::Row(row) => self.sampled.0.get(row),
+            Guard::Kink(kink) => self.sampled.1.get(kink),
+        };
+        sampled == Some(&true)
+    }
+
     /// Whether a guard is watched.
     pub(super) fn has(&self, guard: Guard) -> bool {
         let watched = match guard {
@@ -40,6 +57,11 @@ where
     S: Switching<N, K, C, W>,
     S::Scalar: Ordered,
 {
+    /// Whether a guard is watched.
+    pub(in crate::switching) fn has(&self, guard: Guard) -> bool {
+        self.watch.has(guard)
+    }
+
     /// Stops watching a guard.
     pub(in crate::switching) fn pass(&mut self, guard: Guard) {
         if let Some(is_watched) = self.watch.of(guard) {
@@ -47,8 +69,24 @@ where
         }
     }
 
+    /// Samples a guard from now on.
+    pub(in crate::switching) fn sample(&mut self, guard: Guard) {
+        let sampled = match guard {
+            Guard::Row(row) => self.watch.sampled.0.get_mut(row),
+            Guard::Kink(kink) => self.watch.sampled.1.get_mut(kink),
+        };
+        if let Some(sampled) = sampled {
+            *sampled = true;
+        }
+    }
+
+    /// The slip velocities in two directions where the step starts.
+    pub(in crate::switching) fn directions(&self) -> &[S::Scalar; C] {
+        &self.watch.directions
+    }
+
     /// The same with one of its guards alone.
-    pub(super) fn only(&self, guard: Guard) -> Self {
+    pub(in crate::switching) fn only(&self, guard: Guard) -> Self {
         let mut watch = Watch { rows: [false; C], kinks: [false; W], ..self.watch };
         if let Some(is_watched) = watch.of(guard) {
             *is_watched = true;

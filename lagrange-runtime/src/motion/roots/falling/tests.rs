@@ -12,7 +12,7 @@ fn with_roots(roots: &[f64], noise: f64) -> Taylor<f64> {
             terms[k] = root * terms[k] - below;
         }
     }
-    let mut guard = Taylor::variable(terms[0], terms[1..].iter().copied(), 1.0);
+    let mut guard = Taylor::of(terms.into_iter());
     guard.error = noise;
     guard
 }
@@ -33,7 +33,7 @@ fn the_first_root_of_several() {
 
 #[test]
 fn a_root_is_found_to_the_last_bits() {
-    let mut guard = Taylor::variable(0.5, [1.0, -3.0].into_iter(), 1.0);
+    let mut guard = Taylor::of([0.5, 1.0, -3.0].into_iter());
     guard.error = 1e-16;
     let zero = falls(&guard, Before::Unknown).unwrap().place;
     assert!((zero - (1.0 + 7.0_f64.sqrt()) / 6.0).abs() < 2e-16);
@@ -50,7 +50,7 @@ fn what_touches_zero_has_not_fallen() {
 fn what_starts_at_zero_rises_first() {
     // A flight, from a little below zero for rounding.
     for start in [0.0, -3e-17, 3e-17] {
-        let mut guard = Taylor::variable(start, [1.0, -2.0].into_iter(), 1.0);
+        let mut guard = Taylor::of([start, 1.0, -2.0].into_iter());
         guard.error = 1e-16;
         for before in [Before::Unknown, Before::Zero] {
             let zero: f64 = falls(&guard, before).unwrap().place;
@@ -58,28 +58,39 @@ fn what_starts_at_zero_rises_first() {
         }
     }
     // What falls at once, and what rounding lets fall.
-    let mut guard = Taylor::variable(0.0, [-1.0].into_iter(), 1.0);
+    let mut guard = Taylor::of([0.0, -1.0].into_iter());
     guard.error = 1e-16;
     assert!(falls(&guard, Before::Zero).unwrap().place < 1e-14);
-    let mut guard = Taylor::variable(0.0, [-1e-18, 1.0, -4.0].into_iter(), 1.0);
+    let mut guard = Taylor::of([0.0, -1e-18, 1.0, -4.0].into_iter());
     guard.error = 1e-16;
     let zero: f64 = falls(&guard, Before::Zero).unwrap().place;
     assert!((zero - 0.25).abs() < 1e-15, "{zero}");
     // What was below zero at the start has fallen before.
-    let mut guard = Taylor::variable(-1e-3, [1.0].into_iter(), 1.0);
+    let mut guard = Taylor::of([-1e-3, 1.0].into_iter());
     guard.error = 1e-16;
     assert_eq!(falls(&guard, Before::Unknown), Some(Fall { place: 0.0, fallen: 0.0 }));
 }
 
 #[test]
 fn a_truncated_series_reaches_as_far_as_it_converges() {
-    let turns = Taylor::variable(0.0, [30.0].into_iter(), 1.0_f64).sin();
-    let reach = reach(&turns);
-    assert!(reach > 0.1 && reach < 0.6, "{reach}");
-    let part = Taylor::variable(0.0, [27.0 * reach].into_iter(), 1.0_f64).sin();
-    assert_eq!(super::reach(&part), 1.0);
-    let theta = 0.9;
-    assert!((value(part.terms(), theta) - (27.0 * reach * theta).sin()).abs() < 1e-13);
+    // sin aθ to order 25.
+    let sine = |a: f64| {
+        let mut term = 1.0;
+        let terms = (0..26).map(move |order| {
+            if order > 0 {
+                term *= a / f64::from(order);
+            }
+            [0.0, term, 0.0, -term][order as usize % 4]
+        });
+        Taylor::of(terms)
+    };
+    let reach = reach(&sine(30.0), 25, 1e-15);
+    assert!(reach > 0.05 && reach < 0.6, "{reach}");
+    let part = sine(27.0 * reach);
+    assert_eq!(super::reach(&part, 25, 1e-15), 1.0);
+    assert!((part.at(0.9) - (24.3 * reach).sin()).abs() < 1e-13);
+    // One that ends before has left nothing away.
+    assert_eq!(super::reach(&Taylor::of([1.0, -50.0, 30.0].into_iter()), 25, 1e-15), 1.0);
 }
 
 #[test]
@@ -108,7 +119,7 @@ fn newtons_steps_end_where_roundings_decide() {
         *to = if order % 4 < 2 { term } else { -term };
     }
     // cos 3θ + sin 3θ falls at π/4.
-    let mut guard = Taylor::variable(terms[0], terms[1..].iter().copied(), 1.0);
+    let mut guard = Taylor::of(terms.into_iter());
     guard.error = 1e-15;
     let place = falls(&guard, Before::Unknown).unwrap().place;
     assert!((place - core::f64::consts::FRAC_PI_4).abs() < 4e-15, "{place}");
@@ -119,7 +130,8 @@ fn what_hovers_at_the_edge_of_its_roundings_is_decided_soon() {
     // Halves of what crosses that edge on each of its parts would be millions.
     let oscillation =
         [1.0, -128.0, 2688.0, -21504.0, 84480.0, -180224.0, 212992.0, -131072.0, 32768.0].map(|c| 1e-17 * c);
-    let mut guard = Taylor::variable(oscillation[0] - 1e-16, oscillation[1..].iter().copied(), 1.0);
+    let mut guard = Taylor::of(oscillation.into_iter());
+    guard.coefficients[0] -= 1e-16;
     guard.error = 1e-16;
     assert_eq!(falls(&guard, Before::Zero), None);
     // What leaves it has fallen.
@@ -131,7 +143,7 @@ fn what_hovers_at_the_edge_of_its_roundings_is_decided_soon() {
 fn what_is_nothing_but_roundings_is_clear_everywhere() {
     // Contacts that rest on each other have such gaps: shorter parts show nothing, and steps would be
     // millions of them.
-    let mut guard = Taylor::variable(0.0, [0.0, 1e-17].into_iter(), 1.0);
+    let mut guard = Taylor::of([0.0, 0.0, 1e-17].into_iter());
     guard.error = 1e-16;
     assert_eq!(clear(&guard, guard.error), 1.0);
     // What shows is looked at on shorter parts, until it does no more.
@@ -144,7 +156,7 @@ fn what_rises_from_zero_is_told_from_what_comes_back() {
     // From zero, or a rounding beside it.
     for start in [0.0, 1e-17, -1e-17] {
         let along = |roots: &[f64], error| {
-            let mut guard = -with_roots(roots, 0.0);
+            let mut guard = with_roots(roots, 0.0).scaled(-1.0);
             (guard.coefficients[0], guard.error) = (start, error);
             guard
         };
