@@ -529,10 +529,11 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
             let mut theta_force: R = -theta_force_part;
             let mut sin_theta_flow: R = theta_dot * cos_theta;
             let mut cos_theta_flow: R = -theta_dot_sin_theta;
-            let mut products = lagrange::jets::Convolutions::new(
-                tables,
-                [[0, 1], [2, 3], [0, 3], [2, 4]],
-            );
+            struct Products;
+            impl lagrange::jets::Pairs<4> for Products {
+                const FACTORS: [[usize; 2]; 4] = [[0, 1], [2, 3], [0, 3], [2, 4]];
+            }
+            let mut products = lagrange::jets::Convolutions::new(tables, Products);
             lagrange::jets::in_line::<
                 ORDERS,
             >(

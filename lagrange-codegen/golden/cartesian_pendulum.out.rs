@@ -753,10 +753,11 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
             let mut x_force: f64 = 0.0;
             let mut y_dot_last: f64 = y_dot;
             let mut y_force: f64 = -mass_2_g;
-            let mut products = lagrange::jets::Convolutions::new(
-                tables,
-                [[0, 1], [2, 3], [0, 4], [2, 4]],
-            );
+            struct Products;
+            impl lagrange::jets::Pairs<4> for Products {
+                const FACTORS: [[usize; 2]; 4] = [[0, 1], [2, 3], [0, 4], [2, 4]];
+            }
+            let mut products = lagrange::jets::Convolutions::new(tables, Products);
             lagrange::jets::in_line::<
                 ORDERS,
             >(

@@ -496,9 +496,9 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                 * cos_theta_0_minus_theta_1_flow_part);
             let mut sin_theta_0_minus_theta_1_flow: f64 = cos_theta_0_minus_theta_1
                 * cos_theta_0_minus_theta_1_flow_part;
-            let mut products = lagrange::jets::Convolutions::new(
-                tables,
-                [
+            struct Products;
+            impl lagrange::jets::Pairs<10> for Products {
+                const FACTORS: [[usize; 2]; 10] = [
                     [0, 1],
                     [2, 1],
                     [2, 0],
@@ -509,8 +509,9 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                     [2, 8],
                     [3, 9],
                     [1, 9],
-                ],
-            );
+                ];
+            }
+            let mut products = lagrange::jets::Convolutions::new(tables, Products);
             lagrange::jets::in_line::<
                 ORDERS,
             >(

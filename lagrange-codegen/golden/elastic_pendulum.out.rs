@@ -468,10 +468,19 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                 - (mass_2_g * cos_theta + stiffness_length));
             let mut sin_theta_flow: f64 = theta_dot * cos_theta;
             let mut cos_theta_flow: f64 = -(theta_dot * sin_theta);
-            let mut products = lagrange::jets::Convolutions::new(
-                tables,
-                [[0, 0], [1, 2], [1, 3], [1, 1], [4, 0], [0, 5], [0, 3]],
-            );
+            struct Products;
+            impl lagrange::jets::Pairs<7> for Products {
+                const FACTORS: [[usize; 2]; 7] = [
+                    [0, 0],
+                    [1, 2],
+                    [1, 3],
+                    [1, 1],
+                    [4, 0],
+                    [0, 5],
+                    [0, 3],
+                ];
+            }
+            let mut products = lagrange::jets::Convolutions::new(tables, Products);
             lagrange::jets::in_line::<
                 ORDERS,
             >(
@@ -905,10 +914,19 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                 - (mass_2_g * cos_theta + stiffness_length));
             let mut sin_theta_flow: R = theta_dot * cos_theta;
             let mut cos_theta_flow: R = -(theta_dot * sin_theta);
-            let mut products = lagrange::jets::Convolutions::new(
-                tables,
-                [[0, 0], [1, 2], [1, 3], [1, 1], [4, 0], [0, 5], [0, 3]],
-            );
+            struct Products;
+            impl lagrange::jets::Pairs<7> for Products {
+                const FACTORS: [[usize; 2]; 7] = [
+                    [0, 0],
+                    [1, 2],
+                    [1, 3],
+                    [1, 1],
+                    [4, 0],
+                    [0, 5],
+                    [0, 3],
+                ];
+            }
+            let mut products = lagrange::jets::Convolutions::new(tables, Products);
             lagrange::jets::in_line::<
                 ORDERS,
             >(

@@ -548,9 +548,9 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
             let mut psi_dot_last: f64 = psi_dot;
             let mut sin_theta_flow: f64 = theta_dot * cos_theta;
             let mut cos_theta_flow: f64 = -(theta_dot * sin_theta);
-            let mut products = lagrange::jets::Convolutions::new(
-                tables,
-                [
+            struct Products;
+            impl lagrange::jets::Pairs<10> for Products {
+                const FACTORS: [[usize; 2]; 10] = [
                     [0, 1],
                     [0, 2],
                     [2, 3],
@@ -561,8 +561,9 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                     [4, 7],
                     [8, 2],
                     [8, 4],
-                ],
-            );
+                ];
+            }
+            let mut products = lagrange::jets::Convolutions::new(tables, Products);
             lagrange::jets::in_line::<
                 ORDERS,
             >(

@@ -714,10 +714,11 @@ The first identity that does not hold, and by how much.*/
             let mut theta_force: f64 = -(mass_2_length * (sin_theta * theta_force_part));
             let mut sin_theta_flow: f64 = theta_dot * cos_theta;
             let mut cos_theta_flow: f64 = -(theta_dot * sin_theta);
-            let mut products = lagrange::jets::Convolutions::new(
-                tables,
-                [[0, 1], [2, 3], [2, 0]],
-            );
+            struct Products;
+            impl lagrange::jets::Pairs<3> for Products {
+                const FACTORS: [[usize; 2]; 3] = [[0, 1], [2, 3], [2, 0]];
+            }
+            let mut products = lagrange::jets::Convolutions::new(tables, Products);
             lagrange::jets::in_line::<
                 ORDERS,
             >(

@@ -145,7 +145,9 @@ pub mod __private {
         //! Recurrences of Taylor coefficients.
         pub use crate::series::columns::{Pattern, Products, column, product, square, tile};
         pub use crate::series::followed::Followed;
-        pub use crate::series::tables::{Convolutions, in_line, in_turn, index, multiplier, rate, time};
+        pub use crate::series::tables::{
+            Convolutions, Pairs, in_line, in_turn, index, multiplier, rate, time,
+        };
     }
     pub use crate::analysis::verify::{self, Certificate, Verifiable, Violation};
     pub use crate::switching::{

@@ -8,6 +8,9 @@
 //! for all products that it is a factor of. For systems of few products; [`crate::series::columns`] serves
 //! those of many.
 
+use core::marker::PhantomData;
+use core::ops::Range;
+
 use crate::number::real::Real;
 
 /// The most products whose sums are written out in the code that uses them.
@@ -122,38 +125,71 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
     }
 }
 
-/// Replaces every sum, by a function of the indices of its factors and of the sum. The sums are written out,
-/// so that the compiler knows the factors of a product and keeps sums in registers. A loop over products
-/// would stay a loop.
+/// How many sums of vectors stay in registers while rows go by: as many as half of sixteen registers hold.
+const fn together<R>() -> usize {
+    const REGISTER: usize = if cfg!(target_feature = "avx512f") {
+        64
+    } else if cfg!(target_feature = "avx") {
+        32
+    } else {
+        16
+    };
+    match size_of::<R>().div_ceil(REGISTER) {
+        0 | 1 => 8,
+        2 => 4,
+        _ => 2,
+    }
+}
+
+/// Replaces the sums of a group, by a function of the indices of the factors and of the sum. The sums are
+/// written out, so that the compiler knows the factors of a product and keeps sums in registers. A loop over
+/// products would stay a loop.
 #[inline(always)]
-fn each<R: Copy, const N: usize>(
-    products: &[[usize; 2]; N],
+fn each<S: Pairs<N>, R: Copy, const N: usize>(
+    group: &Range<usize>,
     sums: &mut [R; N],
     next: impl Fn([usize; 2], R) -> R,
 ) {
     macro_rules! written {
         ($($index:literal)*) => {{
             const { assert!(N <= [$($index),*].len(), "more products than are written out") };
-            $(if $index < N {
-                sums[$index] = next(products[$index], sums[$index]);
+            $(if $index < N && group.start <= $index && $index < group.end {
+                sums[$index] = next(S::FACTORS[$index], sums[$index]);
             })*
         }};
     }
     written!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
 }
 
-/// The interior sums if each factor is stored once: Σ a\[j] b\[order − j] over 1 < j < order − 1.
+/// The interior sums if each factor is stored once: Σ a\[j] b\[order − j] over 1 < j < order − 1. Each sweep
+/// over the rows makes as many of them as stay in registers.
 #[inline(always)]
-fn shared<R: Real, const L: usize, const P: usize, const N: usize>(
+fn shared<S: Pairs<N>, R: Real, const L: usize, const P: usize, const N: usize>(
     tables: &Tables<R, L, P>,
-    products: &[[usize; 2]; N],
     order: usize,
 ) -> [R; N] {
     let mut sums = [R::zero(); N];
+    macro_rules! groups {
+        ($($first:literal)*) => {$(
+            if $first < N && $first % together::<R>() == 0 {
+                group::<S, R, L, P, N>(tables, &($first..$first + together::<R>()), order, &mut sums);
+            }
+        )*};
+    }
+    groups!(0 2 4 6 8 10 12 14);
+    sums
+}
+
+/// The sums of a group.
+#[inline(always)]
+fn group<S: Pairs<N>, R: Real, const L: usize, const P: usize, const N: usize>(
+    tables: &Tables<R, L, P>,
+    group: &Range<usize>,
+    order: usize,
+    sums: &mut [R; N],
+) {
     let rows = 1..order.saturating_sub(2);
-    let (Some(left), Some(right)) = (tables.left.get(rows.clone()), tables.right.get(rows)) else {
-        return sums;
-    };
+    let (Some(left), Some(right)) = (tables.left.get(rows.clone()), tables.right.get(rows)) else { return };
     let half = left.len() / 2;
     let ((left_low, left_high), (right_low, right_high)) = (left.split_at(half), right.split_at(half));
     let mut high = left_high.iter().zip(right_high);
@@ -163,18 +199,18 @@ fn shared<R: Real, const L: usize, const P: usize, const N: usize>(
     if left.len() % 2 == 1
         && let Some(middle) = high.next()
     {
-        each(
-            products,
-            &mut sums,
+        each::<S, R, N>(
+            group,
+            sums,
             #[inline(always)]
             |[a, b], _| of(middle, a) * of(middle, b),
         );
     }
     // From the middle outwards: the row that was written last comes last.
     for (low, high) in left_low.iter().zip(right_low).rev().zip(high) {
-        each(
-            products,
-            &mut sums,
+        each::<S, R, N>(
+            group,
+            sums,
             #[inline(always)]
             |[a, b], sum| {
                 if a == b {
@@ -185,7 +221,6 @@ fn shared<R: Real, const L: usize, const P: usize, const N: usize>(
             },
         );
     }
-    sums
 }
 
 /// One order after another, until `expand` returns false.
@@ -242,13 +277,20 @@ pub fn time<R: Real>(h: R, order: usize) -> R {
     if order == 1 { h } else { R::zero() }
 }
 
-/// The convolutions of `L` products of `F` factors. Their outermost terms, with coefficients of the first and
-/// of the last order, are kept out of the tables: a sweep over a row that was just written would wait for it.
+/// The products of a system with few of them. They are constants of a type: the compiler knows them wherever
+/// it puts the code, inlined or not.
+pub trait Pairs<const L: usize> {
+    /// The indices of the factors of each product.
+    const FACTORS: [[usize; 2]; L];
+}
+
+/// The convolutions of the `L` products `S` of `F` factors. Their outermost terms, with coefficients of the
+/// first and of the last order, are kept out of the tables: a sweep over a row that was just written would
+/// wait for it.
 #[derive(Debug)]
-pub struct Convolutions<'a, R, const F: usize, const L: usize, const W: usize, const P: usize> {
+pub struct Convolutions<'a, S, R, const F: usize, const L: usize, const W: usize, const P: usize> {
     tables: &'a mut Tables<R, W, P>,
-    /// The factors of each product.
-    products: [[usize; 2]; L],
+    products: PhantomData<S>,
     /// The coefficients of order 1 for the orders after 3. Where an order is not known to the compiler, both
     /// outermost terms are added in order 2 as well, where they are the same term: it is kept as half of
     /// itself there.
@@ -257,13 +299,13 @@ pub struct Convolutions<'a, R, const F: usize, const L: usize, const W: usize, c
     last: [R; F],
 }
 
-impl<'a, R: Real, const F: usize, const L: usize, const W: usize, const P: usize>
-    Convolutions<'a, R, F, L, W, P>
+impl<'a, S: Pairs<L>, R: Real, const F: usize, const L: usize, const W: usize, const P: usize>
+    Convolutions<'a, S, R, F, L, W, P>
 {
     /// Before the first order.
     #[inline(always)]
-    pub fn new(tables: &'a mut Tables<R, W, P>, products: [[usize; 2]; L]) -> Self {
-        Self { tables, products, first: [R::zero(); F], last: [R::zero(); F] }
+    pub fn new(tables: &'a mut Tables<R, W, P>, _products: S) -> Self {
+        Self { tables, products: PhantomData, first: [R::zero(); F], last: [R::zero(); F] }
     }
 
     /// Σ a\[j] b\[order − j] over 0 < j < order, for all products a b.
@@ -271,12 +313,12 @@ impl<'a, R: Real, const F: usize, const L: usize, const W: usize, const P: usize
     pub fn sums(&self, order: usize) -> [R; L] {
         let mut sums = [R::zero(); L];
         let interior: &[R] = if is_wide::<R>() {
-            &shared(self.tables, &self.products, order)
+            &shared::<S, R, W, P, L>(self.tables, order)
         } else {
             &self.tables.interior(order)
         };
         for i in 0..L {
-            let [a, b] = self.products[i];
+            let [a, b] = S::FACTORS[i];
             let ([first, other], [last, next]) =
                 ([self.first[a], self.first[b]], [self.last[a], self.last[b]]);
             sums[i] = match order {
@@ -310,7 +352,7 @@ impl<'a, R: Real, const F: usize, const L: usize, const W: usize, const P: usize
                 *to = coefficient;
             }
         } else {
-            for (i, &[a, b]) in self.products.iter().enumerate() {
+            for (i, [a, b]) in S::FACTORS.into_iter().enumerate() {
                 (left[i], right[i]) = (factors[a], factors[b]);
             }
         }

@@ -257,7 +257,13 @@ impl Pass<'_> {
         }
         match &self.expansion.sums {
             Sums::Few(products) => (
-                format!("let mut products = lagrange::jets::Convolutions::new(tables, {products:?});\n"),
+                format!(
+                    "struct Products;\n\
+                     impl lagrange::jets::Pairs<{0}> for Products {{\n\
+                     const FACTORS: [[usize; 2]; {0}] = {products:?};\n}}\n\
+                     let mut products = lagrange::jets::Convolutions::new(tables, Products);\n",
+                    products.len()
+                ),
                 "let inner = products.sums(order);\n".to_owned(),
             ),
             Sums::Many(Tiles { sums, .. }) => {

@@ -163,6 +163,7 @@ impl Interpreter<'_> {
                 }
                 match text(path).as_str() {
                     "f64::INFINITY" | "f32::INFINITY" => Ok(Value::Number(f64::INFINITY)),
+                    "Products" => Ok(Value::Unit),
                     // Patterns of gradients that can differ from zero, and the groups of screws.
                     path if path.ends_with(">::PATTERN") || path.ends_with(">::GROUPS") => {
                         match self.expansion.constants.get(path.rsplit("::").next().unwrap_or_default()) {

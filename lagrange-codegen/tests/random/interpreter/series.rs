@@ -59,6 +59,12 @@ impl Interpreter<'_> {
                 *tables.field_mut("products")? = Value::List(lanes.collect());
             }
         }
+        if let Some(pairs) = pairs(&items) {
+            let pairs = self.expression(pairs, &mut locals)?;
+            if let Some(tables) = locals.get_mut(TABLES) {
+                *tables.field_mut("products")? = pairs;
+            }
+        }
         match self.block(&function.block, &mut locals) {
             Ok(Value::Truth(true)) => Ok(locals.remove("series")),
             Ok(Value::Truth(false)) | Err(Stop::Return(Value::Truth(false))) => Ok(None),
@@ -79,9 +85,7 @@ impl Interpreter<'_> {
             ("lagrange::jets::multiplier", [Value::Number(impulse), Value::Number(rate)]) => {
                 number(impulse / rate)
             }
-            ("lagrange::jets::Convolutions::new", [_, products]) => {
-                Ok(Value::record([("rows", Value::List(Vec::new())), ("products", products.clone())]))
-            }
+            ("lagrange::jets::Convolutions::new", [tables, Value::Unit]) => Ok(tables.clone()),
             ("lagrange::solve::are_finite", [numbers]) => {
                 numbers.to_numbers().map(|numbers| Value::Truth(numbers.iter().all(|x| x.is_finite())))
             }
@@ -233,6 +237,17 @@ fn implementations<'i>(
         let (path, _) = block.trait_.as_ref()?;
         let ImplItem::Fn(function) = block.items.first()? else { return None };
         (path.segments.last()?.ident == name).then(|| (text(&block.self_ty), function))
+    })
+}
+
+/// The indices of the factors of each product, for a system with few products.
+fn pairs<'i>(items: &'i [&'i Item]) -> Option<&'i Expr> {
+    items.iter().find_map(|item| {
+        let Item::Impl(block) = item else { return None };
+        match block.items.first()? {
+            ImplItem::Const(factors) => Some(&factors.expr),
+            _ => None,
+        }
     })
 }
 

@@ -40,15 +40,21 @@ fn the_sweep_is_the_convolution() {
     sweeps::<16, 3>();
 }
 
+/// Products, a square among them.
+struct Products;
+
+impl Pairs<5> for Products {
+    const FACTORS: [[usize; 2]; 5] = [[0, 1], [1, 1], [2, 0], [3, 5], [4, 4]];
+}
+
 /// `of` gives numbers by two entries each, `L` is the length of a row.
 fn completes<R: Real, const L: usize, const P: usize>(of: impl Fn(f64, f64) -> R) {
     let mut tables = Tables::<R, L, P>::default();
-    let products = [[0, 1], [1, 1], [2, 0], [3, 5], [4, 4]];
     let number = |order, factor| of(entry(order, factor, 0), entry(order, factor, 1));
-    let mut convolutions = Convolutions::new(&mut tables, products);
+    let mut convolutions = Convolutions::<_, R, 6, 5, L, P>::new(&mut tables, Products);
     for order in 1..=P {
         let found = convolutions.sums(order);
-        for ([a, b], found) in products.into_iter().zip(found) {
+        for ([a, b], found) in Products::FACTORS.into_iter().zip(found) {
             let whole: R = (1..order).map(|j| number(j, a) * number(order - j, b)).sum();
             assert_eq!(found, whole, "{P}, order {order}, factors {a} and {b}");
         }
@@ -71,6 +77,9 @@ fn numbers_of_several_parts_store_each_factor_once() {
     completes::<Dual<f64, 1>, 5, 14>(number);
     completes::<Dual<f64, 1>, 8, LOW>(number);
     completes::<Dual<f64, 1>, 8, 5>(number);
+    // Sums that take more than one sweep over the rows.
+    assert!(together::<Dual<f64, 7>>() < 5);
+    completes::<Dual<f64, 7>, 5, 14>(|x, slope| Dual { value: x, slopes: [slope; 7] });
 }
 
 #[test]
