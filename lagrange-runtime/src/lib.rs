@@ -143,7 +143,7 @@ pub mod __private {
     }
     pub mod jets {
         //! Recurrences of Taylor coefficients.
-        pub use crate::series::columns::{Pattern, Products, column, product, square, tile};
+        pub use crate::series::columns::{Pattern, Products, column, packed, product, square, tile};
         pub use crate::series::followed::Followed;
         pub use crate::series::tables::{
             Convolutions, Pairs, in_line, in_turn, index, multiplier, rate, time,

@@ -115,14 +115,14 @@ pub enum Sums {
 }
 
 impl Sums {
-    fn of(jets: &Jets, factors: &[Factor], numbers: Numbers) -> Sums {
+    fn of(jets: &Jets, factors: &[Factor]) -> Sums {
         let mut indices: Lookup<Operand, usize> = Lookup::default();
         for (index, factor) in factors.iter().enumerate() {
             indices.insert(factor.operand, index);
         }
         let index = |operand: Operand| indices.get(&operand).copied().unwrap_or_default();
         if jets.convolutions.len() > FEW {
-            Sums::Many(Tiles::of(&jets.convolutions, numbers, &index))
+            Sums::Many(Tiles::of(&jets.convolutions, &index))
         } else {
             Sums::Few(
                 jets.convolutions.iter().map(|product| [index(product.left), index(product.right)]).collect(),
@@ -167,8 +167,6 @@ impl Expansions {
         let plain = plan(model, equations, solution, jets, Numbers::Plain);
         let carrying = if plain.solvers.iter().any(|solver| matches!(solver.by, By::Inverse { .. })) {
             Some(plan(model, equations, solution, jets, Numbers::Carrying))
-        } else if matches!(plain.sums, Sums::Many(_)) {
-            Some(Expansion { sums: Sums::of(jets, &plain.factors, Numbers::Carrying), ..plain.clone() })
         } else {
             None
         };
@@ -242,7 +240,7 @@ fn plan(
     let factors = order.factors();
     let followed = jets.followed.iter().map(|&slot| order.coefficient(slot)).collect();
     let carried = order.carried(&velocities);
-    let sums = Sums::of(jets, &factors, numbers);
+    let sums = Sums::of(jets, &factors);
     let Order { program, found, values, .. } = order;
     Expansion {
         program,

@@ -1,6 +1,9 @@
 //! The tables of systems with many products: columns of factors, and the sweep over them, tile by tile.
+//!
+//! A tile has room for more instances than there are, so that they fill vectors. Numbers that are vectors
+//! themselves need no such room, and it would leave a part of the cache unused: they are packed. The runtime
+//! knows which numbers these are.
 
-use super::Numbers;
 use crate::jets::{Bundle, Convolution, Operand, bundles};
 
 /// The most numbers that a tile sums: as many as the registers of common vector units hold.
@@ -20,6 +23,8 @@ const PRODUCTS: usize = 8;
 pub struct Tiles {
     /// The length of a row.
     pub columns: usize,
+    /// The length of a row of packed factors.
+    packed: usize,
     /// The number of sums, unused ones included.
     pub sums: usize,
     /// The index of the sum of each convolution.
@@ -28,6 +33,8 @@ pub struct Tiles {
     pub roles: Vec<u32>,
     /// The columns that hold factors, each with the index of its factor.
     pub factors: Vec<(usize, usize)>,
+    /// The room of each set of columns: how many there are, their distance, and the number of instances.
+    pub rooms: Vec<[usize; 3]>,
     /// All tiles.
     pub tiles: Vec<Tile>,
     /// The patterns of the tiles.
@@ -47,6 +54,8 @@ pub struct Tile {
     pub stride: usize,
     /// The first of its columns.
     pub base: usize,
+    /// The first of them in a packed row.
+    pub packed: usize,
     /// The first of its sums.
     pub first: usize,
 }
@@ -54,7 +63,7 @@ pub struct Tile {
 /// Products of columns.
 #[derive(Clone, Debug)]
 pub struct Pattern {
-    /// Offsets of the columns in a tile.
+    /// The columns of a tile that it reads.
     pub columns: Vec<usize>,
     /// The index of a factor in each column of the first tile.
     pub factors: Vec<usize>,
@@ -64,11 +73,7 @@ pub struct Pattern {
 
 impl Tiles {
     /// Lays out all convolutions.
-    pub(super) fn of(
-        convolutions: &[Convolution],
-        numbers: Numbers,
-        index: &impl Fn(Operand) -> usize,
-    ) -> Tiles {
+    pub(super) fn of(convolutions: &[Convolution], index: &impl Fn(Operand) -> usize) -> Tiles {
         let (sums, roles) = (vec![0; convolutions.len()], vec![0; convolutions.len()]);
         let mut tiles = Tiles { convolutions: sums, roles, ..Tiles::default() };
         let mut role = 0;
@@ -77,16 +82,14 @@ impl Tiles {
                 instances.iter().for_each(|&instance| tiles.roles[instance] = role);
                 role += 1;
             }
-            tiles.bundle(&bundle, numbers, index);
+            tiles.bundle(&bundle, index);
         }
         // Rows that begin on lines of the cache.
-        if numbers == Numbers::Plain {
-            tiles.columns = tiles.columns.next_multiple_of(8);
-        }
+        tiles.columns = tiles.columns.next_multiple_of(8);
         tiles
     }
 
-    fn bundle(&mut self, bundle: &Bundle, numbers: Numbers, index_of: &impl Fn(Operand) -> usize) {
+    fn bundle(&mut self, bundle: &Bundle, index_of: &impl Fn(Operand) -> usize) {
         let instances = bundle.instances();
         let products = bundle.products.len().min(PRODUCTS);
         let mut first = 0;
@@ -100,24 +103,18 @@ impl Tiles {
             while width > 8 && width > left {
                 width /= 2;
             }
-            // Unused room fills up vectors. Numbers that are vectors themselves need none.
-            if numbers == Numbers::Carrying {
-                width = width.min(left);
-            }
             // Many instances stand one after the other, so that a loop runs over all of them.
-            let stride = match (left > WIDEST, numbers) {
-                (false, _) => width,
-                (true, Numbers::Plain) => left.next_multiple_of(width),
-                (true, Numbers::Carrying) => left,
-            };
+            let stride = if left > WIDEST { left.next_multiple_of(width) } else { width };
             let used = stride.min(left);
-            let base = self.columns;
+            let (base, packed) = (self.columns, self.packed);
+            self.rooms.push([bundle.columns.len(), stride, used]);
             for (k, column) in bundle.columns.iter().enumerate() {
                 for (i, &factor) in column.iter().skip(first).take(used).enumerate() {
                     self.factors.push((base + k * stride + i, index_of(factor)));
                 }
             }
             self.columns += bundle.columns.len() * stride;
+            self.packed += bundle.columns.len() * used;
             for (products, convolutions) in
                 bundle.products.chunks(PRODUCTS).zip(bundle.convolutions.chunks(PRODUCTS))
             {
@@ -126,8 +123,8 @@ impl Tiles {
                         self.convolutions[of] = self.sums + k * stride + i;
                     }
                 }
-                let pattern = self.pattern(bundle, products, (first, stride), index_of);
-                self.tiles.push(Tile { pattern, width, used, stride, base, first: self.sums });
+                let pattern = self.pattern(bundle, products, first, index_of);
+                self.tiles.push(Tile { pattern, width, used, stride, base, packed, first: self.sums });
                 self.sums += products.len() * stride;
             }
             first += used;
@@ -139,18 +136,17 @@ impl Tiles {
         &mut self,
         bundle: &Bundle,
         products: &[(usize, usize)],
-        (first, stride): (usize, usize),
+        first: usize,
         index_of: &impl Fn(Operand) -> usize,
     ) -> usize {
         let is_used = |&column: &usize| products.iter().any(|&(a, b)| a == column || b == column);
         let used: Vec<usize> = (0..bundle.columns.len()).filter(is_used).collect();
         let within = |column: usize| used.iter().position(|&known| known == column).unwrap_or_default();
         let products: Vec<[usize; 2]> = products.iter().map(|&(a, b)| [within(a), within(b)]).collect();
-        let columns: Vec<usize> = used.iter().map(|column| column * stride).collect();
-        let known = |known: &Pattern| known.columns == columns && known.products == products;
+        let known = |known: &Pattern| known.columns == used && known.products == products;
         self.patterns.iter().position(known).unwrap_or_else(|| {
             let factors = used.iter().map(|&column| index_of(bundle.columns[column][first])).collect();
-            self.patterns.push(Pattern { columns, factors, products });
+            self.patterns.push(Pattern { columns: used, factors, products });
             self.patterns.len() - 1
         })
     }

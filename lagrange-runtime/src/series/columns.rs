@@ -7,20 +7,53 @@
 //! chain, the pairs of bodies), side by side: every vector of a column is loaded once for all products of the
 //! pattern, and squares need one term for two. Where a number is a vector itself, the instances of a tile
 //! come one after the other, each with all its rows: their sums stay in registers.
+//!
+//! Rows of numbers have room that fills up vectors. Rows of vectors are packed: room that is not used would
+//! leave a part of the cache unused.
 
+use core::marker::PhantomData;
+use core::ops::{Index, IndexMut, Range};
+
+use super::tables::is_wide;
 use crate::number::real::Real;
+
+/// The most sums that are set to zero before each order.
+const FRESH: usize = 32;
 
 /// The products of a system: `C` columns, `L` sums.
 pub trait Products<const C: usize, const L: usize> {
     /// The interior sums over rows that hold the coefficients of the orders below.
     fn sum<R: Real>(rows: &[[R; C]], sums: &mut [R; L]);
+
+    /// The index of each column in a packed row.
+    const PACKED: [usize; C];
 }
 
-/// A pattern of `M` products over columns that are `width` apart.
+/// A pattern of `M` products over the columns of a tile.
 pub trait Pattern<const C: usize, const M: usize> {
-    /// Adds the terms of two rows at the same distance from the ends, for `W` instances whose first column
-    /// starts at `base`.
-    fn add<R: Real, const W: usize>(low: &[R; C], high: &[R; C], base: usize, sum: &mut [[R; W]; M]);
+    /// Adds the terms of two rows at the same distance from the ends, for `W` instances. Their first column
+    /// starts at the first number of `place`, and columns are as far apart as the second says.
+    fn add<R: Real, const W: usize>(low: &[R; C], high: &[R; C], place: [usize; 2], sum: &mut [[R; W]; M]);
+}
+
+/// The index of each column in a packed row. Each set of columns has a number of columns, their distance, and
+/// the number of instances in each.
+pub const fn packed<const C: usize>(sets: &[[usize; 3]]) -> [usize; C] {
+    let mut packed = [0; C];
+    let (mut column, mut index) = (0, 0);
+    let mut set = 0;
+    while set < sets.len() {
+        let [columns, apart, used] = sets[set];
+        let mut place = 0;
+        while place < columns * apart {
+            packed[column + place] = index + place / apart * used + place % apart;
+            place += 1;
+        }
+        column += columns * apart;
+        index += columns * used;
+        set += 1;
+    }
+    packed
 }
 
 /// Factors of products, coefficients of the orders 1 to `P` (at the index before). Rows start on lines of the
@@ -41,16 +74,72 @@ impl<R: Real, const C: usize, const P: usize> Default for Columns<R, C, P> {
 impl<R: Real, const C: usize, const P: usize> Columns<R, C, P> {
     /// Where the factors of an order go.
     #[inline(always)]
-    pub fn row(&mut self, order: usize) -> Option<&mut [R; C]> {
-        self.rows.get_mut(order - 1)
+    pub fn row<S: Products<C, L>, const L: usize>(&mut self, order: usize) -> Option<Row<'_, S, R, C, L>> {
+        self.rows.get_mut(order - 1).map(|row| Row { row, products: PhantomData })
     }
 
     /// Σ a\[j] b\[order − j] over 0 < j < order, for all products a b.
     #[inline(always)]
     pub fn interior<S: Products<C, L>, const L: usize>(&self, order: usize, sums: &mut [R; L]) {
+        // Numbers are set to zero, which costs nothing and spares them what the last order left. For vectors
+        // it would be a tenth of the work.
+        if !is_wide::<R>() && L <= FRESH {
+            *sums = [R::zero(); L];
+        }
         if let Some(rows) = self.rows.get(..order - 1) {
             outlined::<S, R, C, L>(rows, sums);
         }
+    }
+}
+
+/// A row of [`Columns`], by the columns of numbers.
+#[derive(Debug)]
+pub struct Row<'a, S, R, const C: usize, const L: usize> {
+    row: &'a mut [R; C],
+    products: PhantomData<S>,
+}
+
+impl<S: Products<C, L>, R: Real, const C: usize, const L: usize> Row<'_, S, R, C, L> {
+    #[inline(always)]
+    fn index(column: usize) -> usize {
+        if is_wide::<R>() { S::PACKED[column] } else { column }
+    }
+}
+
+impl<S: Products<C, L>, R: Real, const C: usize, const L: usize> Index<usize> for Row<'_, S, R, C, L> {
+    type Output = R;
+
+    #[inline(always)]
+    fn index(&self, column: usize) -> &R {
+        &self.row[Self::index(column)]
+    }
+}
+
+impl<S: Products<C, L>, R: Real, const C: usize, const L: usize> IndexMut<usize> for Row<'_, S, R, C, L> {
+    #[inline(always)]
+    fn index_mut(&mut self, column: usize) -> &mut R {
+        &mut self.row[Self::index(column)]
+    }
+}
+
+/// Columns that all hold factors are neighbours in a packed row, too.
+impl<S: Products<C, L>, R: Real, const C: usize, const L: usize> Index<Range<usize>> for Row<'_, S, R, C, L> {
+    type Output = [R];
+
+    #[inline(always)]
+    fn index(&self, columns: Range<usize>) -> &[R] {
+        let first = Self::index(columns.start);
+        &self.row[first..first + columns.len()]
+    }
+}
+
+impl<S: Products<C, L>, R: Real, const C: usize, const L: usize> IndexMut<Range<usize>>
+    for Row<'_, S, R, C, L>
+{
+    #[inline(always)]
+    fn index_mut(&mut self, columns: Range<usize>) -> &mut [R] {
+        let first = Self::index(columns.start);
+        &mut self.row[first..first + columns.len()]
     }
 }
 
@@ -60,13 +149,13 @@ fn outlined<S: Products<C, L>, R: Real, const C: usize, const L: usize>(rows: &[
     S::sum(rows, sums);
 }
 
-/// The sums of one tile, `used` of `W` instances of `M` products, to those from `first` on. Its columns
-/// start at `base`.
+/// The sums of one tile, `used` instances of `M` products, to those from `first` on, where those of a product
+/// are `stride` apart from those of the next one. The columns start at `base`, and packed ones at `packed`.
 #[inline(always)]
 pub fn tile<T, R, const C: usize, const L: usize, const W: usize, const M: usize>(
     rows: &[[R; C]],
     sums: &mut [R; L],
-    (base, first, used, stride): (usize, usize, usize, usize),
+    [base, packed, first, used, stride]: [usize; 5],
 ) where
     T: Pattern<C, M>,
     R: Real,
@@ -76,16 +165,16 @@ pub fn tile<T, R, const C: usize, const L: usize, const W: usize, const M: usize
             to.copy_from_slice(from);
         }
     };
-    if size_of::<R>() == size_of::<R::Lane>() {
-        for instance in (0..used).step_by(W) {
-            let sum = part::<T, R, C, W, M>(rows, base + instance);
+    if is_wide::<R>() {
+        for instance in 0..used {
+            let sum = part::<T, R, C, 1, M>(rows, [packed + instance, used]);
             for (product, sum) in sum.iter().enumerate() {
                 put(product * stride + instance, sum);
             }
         }
     } else {
-        for instance in 0..used {
-            let sum = part::<T, R, C, 1, M>(rows, base + instance);
+        for instance in (0..used).step_by(W) {
+            let sum = part::<T, R, C, W, M>(rows, [base + instance, stride]);
             for (product, sum) in sum.iter().enumerate() {
                 put(product * stride + instance, sum);
             }
@@ -93,9 +182,12 @@ pub fn tile<T, R, const C: usize, const L: usize, const W: usize, const M: usize
     }
 }
 
-/// The sums of `W` instances whose first column starts at `base`.
+/// The sums of `W` instances, at the start and the distance of their columns.
 #[inline(always)]
-fn part<T, R, const C: usize, const W: usize, const M: usize>(rows: &[[R; C]], base: usize) -> [[R; W]; M]
+fn part<T, R, const C: usize, const W: usize, const M: usize>(
+    rows: &[[R; C]],
+    place: [usize; 2],
+) -> [[R; W]; M]
 where
     T: Pattern<C, M>,
     R: Real,
@@ -108,25 +200,27 @@ where
         && let Some(middle) = high.next()
     {
         // Both terms are the same one.
-        T::add(middle, middle, base, &mut sum);
+        T::add(middle, middle, place, &mut sum);
         for x in sum.as_flattened_mut() {
             *x *= R::from_f64(0.5);
         }
     }
     // From the middle outwards: the row that was just written comes last.
     for (low, high) in low.iter().rev().zip(high) {
-        T::add(low, high, base, &mut sum);
+        T::add(low, high, place, &mut sum);
     }
     sum
 }
 
-/// The `W` entries from `start` on of two rows.
+/// The `W` entries of a column in two rows.
 #[inline(always)]
 pub fn column<'a, R: Real, const C: usize, const W: usize>(
     low: &'a [R; C],
     high: &'a [R; C],
-    start: usize,
+    [first, apart]: [usize; 2],
+    column: usize,
 ) -> Option<(&'a [R; W], &'a [R; W])> {
+    let start = first + column * apart;
     Some((low.get(start..)?.first_chunk()?, high.get(start..)?.first_chunk()?))
 }
 
@@ -154,46 +248,96 @@ pub fn square<R: Real, const W: usize>(sum: &mut [R; W], a: Column<'_, R, W>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::real::Dual;
 
-    /// Two instances of the pattern a b, a a, b c in a row of three columns of two.
+    /// Three instances of the pattern a b, a a, b c in room for four, and one product in room for two.
     struct Patterns;
 
-    impl Products<6, 6> for Patterns {
-        fn sum<R: Real>(rows: &[[R; 6]], sums: &mut [R; 6]) {
-            tile::<Three, _, _, _, 2, 3>(rows, sums, (0, 0, 2, 2));
+    impl Products<16, 14> for Patterns {
+        fn sum<R: Real>(rows: &[[R; 16]], sums: &mut [R; 14]) {
+            tile::<Three, _, _, _, 4, 3>(rows, sums, [0, 0, 0, 3, 4]);
+            tile::<One, _, _, _, 2, 1>(rows, sums, [12, 9, 12, 1, 2]);
         }
+
+        const PACKED: [usize; 16] = packed(&[[3, 4, 3], [2, 2, 1]]);
     }
 
     struct Three;
 
-    impl Pattern<6, 3> for Three {
-        fn add<R: Real, const W: usize>(low: &[R; 6], high: &[R; 6], index: usize, sum: &mut [[R; W]; 3]) {
-            let [a, b, c] = [0, 2, 4].map(|column| super::column::<_, _, W>(low, high, index + column));
+    impl Pattern<16, 3> for Three {
+        fn add<R: Real, const W: usize>(
+            low: &[R; 16],
+            high: &[R; 16],
+            place: [usize; 2],
+            sum: &mut [[R; W]; 3],
+        ) {
+            let [a, b, c] = [0, 1, 2].map(|column| super::column::<_, _, W>(low, high, place, column));
             product(&mut sum[0], a, b);
             square(&mut sum[1], a);
             product(&mut sum[2], b, c);
         }
     }
 
+    struct One;
+
+    impl Pattern<16, 1> for One {
+        fn add<R: Real, const W: usize>(
+            low: &[R; 16],
+            high: &[R; 16],
+            place: [usize; 2],
+            sum: &mut [[R; W]; 1],
+        ) {
+            let [a, b] = [0, 1].map(|column| super::column::<_, _, W>(low, high, place, column));
+            product(&mut sum[0], a, b);
+        }
+    }
+
+    /// The columns that hold factors, and the products of them, with the index of the sum of each.
+    const FACTORS: [usize; 11] = [0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 14];
+    const ALL: [[usize; 3]; 10] = [
+        [0, 4, 0],
+        [1, 5, 1],
+        [2, 6, 2],
+        [0, 0, 4],
+        [1, 1, 5],
+        [2, 2, 6],
+        [4, 8, 8],
+        [5, 9, 9],
+        [6, 10, 10],
+        [12, 14, 12],
+    ];
+
+    fn sums_are_interiors<R: Real>(of: impl Fn(f64) -> R) {
+        const ORDERS: usize = 9;
+        let coefficient = |order: usize, column: usize| of(((7 * order + 3 * column) % 11) as f64 - 4.5);
+        let mut columns = Columns::<R, 16, ORDERS>::default();
+        let mut sums = [of(f64::NAN); 14];
+        for order in 1..=ORDERS {
+            columns.interior::<Patterns, 14>(order, &mut sums);
+            for [a, b, index] in ALL {
+                let expected: R = (1..order).map(|j| coefficient(j, a) * coefficient(order - j, b)).sum();
+                assert_eq!(sums[index], expected, "order {order}, columns {a} and {b}");
+            }
+            let mut row = columns.row::<Patterns, 14>(order).unwrap();
+            FACTORS.into_iter().for_each(|column| row[column] = coefficient(order, column));
+        }
+        assert!(columns.row::<Patterns, 14>(ORDERS + 1).is_none());
+    }
+
     #[test]
     fn sums_are_the_interiors_of_convolutions() {
-        const ORDERS: usize = 9;
-        let coefficient = |order: usize, index: usize| ((7 * order + 3 * index) % 11) as f64 - 4.5;
-        let mut columns = Columns::<f64, 6, ORDERS>::default();
-        let mut sums = [f64::NAN; 6];
-        for order in 1..=ORDERS {
-            columns.interior::<Patterns, 6>(order, &mut sums);
-            for instance in 0..2 {
-                for (product, (a, b)) in [(0, 2), (0, 0), (2, 4)].into_iter().enumerate() {
-                    let expected: f64 = (1..order)
-                        .map(|j| coefficient(j, a + instance) * coefficient(order - j, b + instance))
-                        .sum();
-                    assert_eq!(sums[2 * product + instance], expected, "order {order}, product {product}");
-                }
-            }
-            *columns.row(order).unwrap() = core::array::from_fn(|index| coefficient(order, index));
-        }
-        assert!(columns.row(ORDERS + 1).is_none());
+        sums_are_interiors(|x| x);
+        sums_are_interiors(|x| Dual { value: x, slopes: [2.0 * x - 1.0] });
+    }
+
+    #[test]
+    fn packed_rows_have_no_room() {
+        let packed: [usize; 11] = FACTORS.map(|column| Patterns::PACKED[column]);
+        assert_eq!(packed, core::array::from_fn(|i| i));
+        let mut columns = Columns::<Dual<f64, 1>, 16, 1>::default();
+        let numbers: [Dual<f64, 1>; 3] = [1.0, 2.0, 3.0].map(Dual::from_f64);
+        columns.row::<Patterns, 14>(1).unwrap()[8..11].copy_from_slice(&numbers);
+        assert_eq!(columns.rows[0][6..9], numbers);
     }
 
     #[test]

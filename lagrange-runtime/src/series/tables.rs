@@ -20,7 +20,7 @@ const INLINE: usize = 12;
 const LOW: usize = 8;
 
 /// Whether numbers are vectors, or carry other parts.
-const fn is_wide<R: Real>() -> bool {
+pub(super) const fn is_wide<R: Real>() -> bool {
     size_of::<R>() > size_of::<R::Lane>()
 }
 

@@ -23,10 +23,6 @@ use names::{Of, label_auxiliaries};
 /// Rows of the tables are padded to a multiple of this many columns.
 const WIDTH: usize = 4;
 
-/// The most sums that an order stores in new variables. If there are more, or if they are vectors, an order
-/// overwrites the sums of the one before, so that they need not be set to zero.
-const FRESH: usize = 32;
-
 /// The items of the trait, as text.
 pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expansions) -> String {
     let is_own = emission.scalar == emission.item.scalar;
@@ -268,13 +264,10 @@ impl Pass<'_> {
             ),
             Sums::Many(Tiles { sums, .. }) => {
                 let zero = scalar::zero(scalar);
-                let made = format!("let mut inner: [{scalar}; {sums}] = [{zero}; {sums}];\n");
-                let sum = "tables.interior::<Products, _>(order, &mut inner);\n";
-                if *sums > FRESH || *scalar != self.emission.item.scalar {
-                    (made, sum.to_owned())
-                } else {
-                    (String::new(), made + sum)
-                }
+                (
+                    format!("let mut inner: [{scalar}; {sums}] = [{zero}; {sums}];\n"),
+                    "tables.interior::<Products, _>(order, &mut inner);\n".to_owned(),
+                )
             }
         }
     }
@@ -291,7 +284,9 @@ impl Pass<'_> {
                 text.push_str(&format!("products.add(order, [{}]);\n", values.join(", ")));
             }
             Sums::Many(tiles) => {
-                text.push_str("if let ::core::option::Option::Some(row) = tables.row(order) {\n");
+                text.push_str(
+                    "if let ::core::option::Option::Some(mut row) = tables.row::<Products, _>(order) {\n",
+                );
                 let (places, factors): (Vec<usize>, Vec<Slot>) = tiles
                     .factors
                     .iter()

@@ -7,20 +7,22 @@ use crate::orders::{Factor, Pattern, Tile, Tiles};
 
 /// The items.
 pub(super) fn items(model: &Model, tiles: &Tiles, factors: &[Factor], of: &Of) -> String {
-    let Tiles { columns, sums, patterns, .. } = tiles;
+    let Tiles { columns, sums, patterns, rooms, .. } = tiles;
     let mut text = format!(
         "struct Products;\n\
          impl lagrange::jets::Products<{columns}, {sums}> for Products {{\n\
          #[inline(always)]\n\
          fn sum<R: lagrange::Real>(rows: &[[R; {columns}]], sums: &mut [R; {sums}]) {{\n"
     );
-    for &Tile { pattern, width, used, stride, base, first } in &tiles.tiles {
+    for &Tile { pattern, width, used, stride, base, packed, first } in &tiles.tiles {
         text.push_str(&format!(
-            "lagrange::jets::tile::<Pattern{pattern}, _, _, _, {width}, {}>(rows, sums, ({base}, {first}, {used}, {stride}));\n",
+            "lagrange::jets::tile::<Pattern{pattern}, _, _, _, {width}, {}>(rows, sums, [{base}, {packed}, {first}, {used}, {stride}]);\n",
             patterns[pattern].products.len()
         ));
     }
-    text.push_str("}\n}\n");
+    text.push_str(&format!(
+        "}}\nconst PACKED: [usize; {columns}] = lagrange::jets::packed(&{rooms:?});\n}}\n"
+    ));
     for (index, pattern) in patterns.iter().enumerate() {
         let products = pattern.products.len();
         text.push_str(&format!(
@@ -28,7 +30,7 @@ pub(super) fn items(model: &Model, tiles: &Tiles, factors: &[Factor], of: &Of) -
              impl lagrange::jets::Pattern<{columns}, {products}> for Pattern{index} {{\n\
              #[inline(always)]\n\
              fn add<R: lagrange::Real, const W: usize>(low: &[R; {columns}], high: &[R; {columns}], \
-             base: usize, sum: &mut [[R; W]; {products}]) {{\n{}}}\n}}\n",
+             place: [usize; 2], sum: &mut [[R; W]; {products}]) {{\n{}}}\n}}\n",
             body(model, pattern, factors, of)
         ));
     }
@@ -42,10 +44,10 @@ fn body(model: &Model, pattern: &Pattern, factors: &[Factor], of: &Of) -> String
     }
     let mut text = String::new();
     let mut columns = Vec::with_capacity(pattern.columns.len());
-    for (offset, &factor) in pattern.columns.iter().zip(&pattern.factors) {
+    for (column, &factor) in pattern.columns.iter().zip(&pattern.factors) {
         let name = names.claim(of.factor(factors[factor].operand));
         text.push_str(&format!(
-            "let {name} = lagrange::jets::column::<_, _, W>(low, high, base + {offset});\n"
+            "let {name} = lagrange::jets::column::<_, _, W>(low, high, place, {column});\n"
         ));
         columns.push(name);
     }

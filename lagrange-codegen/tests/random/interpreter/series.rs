@@ -255,10 +255,12 @@ fn pairs<'i>(items: &'i [&'i Item]) -> Option<&'i Expr> {
 fn tiles(sum: &ImplItemFn, patterns: &[(String, &ImplItemFn)]) -> Run<Vec<[usize; 3]>> {
     let mut lanes = Vec::new();
     for statement in &sum.block.stmts {
-        // lagrange::jets::tile::<Pattern, _, _, _, W, M>(rows, sums, (base, first, used, stride));
+        // lagrange::jets::tile::<Pattern, _, _, _, W, M>(rows, sums, [base, packed, first, used, stride]);
         let Stmt::Expr(Expr::Call(call), _) = statement else { return unknown(text(statement)) };
-        let Some(Expr::Tuple(place)) = call.args.last() else { return unknown(text(call)) };
-        let [base, first, used, stride] = numbers_in(&text(place))[..] else { return unknown(text(place)) };
+        let Some(Expr::Array(place)) = call.args.last() else { return unknown(text(call)) };
+        let [base, _, first, used, stride] = numbers_in(&text(place))[..] else {
+            return unknown(text(place));
+        };
         let Some((_, pattern)) = patterns.iter().find(|(name, _)| text(call).contains(&format!("<{name},")))
         else {
             return unknown(text(call));
@@ -268,11 +270,11 @@ fn tiles(sum: &ImplItemFn, patterns: &[(String, &ImplItemFn)]) -> Run<Vec<[usize
         for statement in &pattern.block.stmts {
             match statement {
                 Stmt::Local(local) => {
-                    let offset = local.init.as_ref().map(|init| numbers_in(&text(&init.expr)));
-                    let Some(&offset) = offset.as_ref().and_then(|offset| offset.last()) else {
+                    let numbers = local.init.as_ref().map(|init| numbers_in(&text(&init.expr)));
+                    let Some(&column) = numbers.as_ref().and_then(|numbers| numbers.last()) else {
                         return unknown(text(local));
                     };
-                    columns.insert(text(&local.pat), offset);
+                    columns.insert(text(&local.pat), column * stride);
                 }
                 Stmt::Expr(Expr::Call(call), _) => {
                     let names: Vec<String> = call.args.iter().skip(1).map(text).collect();
