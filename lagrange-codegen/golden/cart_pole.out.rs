@@ -531,7 +531,12 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
             let mut cos_theta_flow: R = -theta_dot_sin_theta;
             struct Products;
             impl lagrange::jets::Pairs<4> for Products {
-                const FACTORS: [[usize; 2]; 4] = [[0, 1], [2, 3], [0, 3], [2, 4]];
+                const FACTORS: &'static [[usize; 2]; 4] = &[
+                    [0, 1],
+                    [2, 3],
+                    [0, 3],
+                    [2, 4],
+                ];
             }
             let mut products = lagrange::jets::Convolutions::new(tables, Products);
             lagrange::jets::in_line::<

@@ -755,7 +755,12 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
             let mut y_force: f64 = -mass_2_g;
             struct Products;
             impl lagrange::jets::Pairs<4> for Products {
-                const FACTORS: [[usize; 2]; 4] = [[0, 1], [2, 3], [0, 4], [2, 4]];
+                const FACTORS: &'static [[usize; 2]; 4] = &[
+                    [0, 1],
+                    [2, 3],
+                    [0, 4],
+                    [2, 4],
+                ];
             }
             let mut products = lagrange::jets::Convolutions::new(tables, Products);
             lagrange::jets::in_line::<

@@ -498,7 +498,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                 * cos_theta_0_minus_theta_1_flow_part;
             struct Products;
             impl lagrange::jets::Pairs<10> for Products {
-                const FACTORS: [[usize; 2]; 10] = [
+                const FACTORS: &'static [[usize; 2]; 10] = &[
                     [0, 1],
                     [2, 1],
                     [2, 0],

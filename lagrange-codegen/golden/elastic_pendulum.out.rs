@@ -470,7 +470,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             let mut cos_theta_flow: f64 = -(theta_dot * sin_theta);
             struct Products;
             impl lagrange::jets::Pairs<7> for Products {
-                const FACTORS: [[usize; 2]; 7] = [
+                const FACTORS: &'static [[usize; 2]; 7] = &[
                     [0, 0],
                     [1, 2],
                     [1, 3],
@@ -916,7 +916,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             let mut cos_theta_flow: R = -(theta_dot * sin_theta);
             struct Products;
             impl lagrange::jets::Pairs<7> for Products {
-                const FACTORS: [[usize; 2]; 7] = [
+                const FACTORS: &'static [[usize; 2]; 7] = &[
                     [0, 0],
                     [1, 2],
                     [1, 3],

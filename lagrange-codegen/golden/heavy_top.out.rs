@@ -550,7 +550,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
             let mut cos_theta_flow: f64 = -(theta_dot * sin_theta);
             struct Products;
             impl lagrange::jets::Pairs<10> for Products {
-                const FACTORS: [[usize; 2]; 10] = [
+                const FACTORS: &'static [[usize; 2]; 10] = &[
                     [0, 1],
                     [0, 2],
                     [2, 3],

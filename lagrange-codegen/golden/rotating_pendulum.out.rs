@@ -716,7 +716,7 @@ The first identity that does not hold, and by how much.*/
             let mut cos_theta_flow: f64 = -(theta_dot * sin_theta);
             struct Products;
             impl lagrange::jets::Pairs<3> for Products {
-                const FACTORS: [[usize; 2]; 3] = [[0, 1], [2, 3], [2, 0]];
+                const FACTORS: &'static [[usize; 2]; 3] = &[[0, 1], [2, 3], [2, 0]];
             }
             let mut products = lagrange::jets::Convolutions::new(tables, Products);
             lagrange::jets::in_line::<

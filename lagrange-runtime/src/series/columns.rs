@@ -25,8 +25,9 @@ pub trait Products<const C: usize, const L: usize> {
     /// The interior sums over rows that hold the coefficients of the orders below.
     fn sum<R: Real>(rows: &[[R; C]], sums: &mut [R; L]);
 
-    /// The index of each column in a packed row.
-    const PACKED: [usize; C];
+    /// The index of each column in a packed row. Unoptimised code would have a copy of an array on the stack
+    /// for each use of it.
+    const PACKED: &'static [usize; C];
 }
 
 /// A pattern of `M` products over the columns of a tile.
@@ -259,7 +260,7 @@ mod tests {
             tile::<One, _, _, _, 2, 1>(rows, sums, [12, 9, 12, 1, 2]);
         }
 
-        const PACKED: [usize; 16] = packed(&[[3, 4, 3], [2, 2, 1]]);
+        const PACKED: &'static [usize; 16] = &packed(&[[3, 4, 3], [2, 2, 1]]);
     }
 
     struct Three;

@@ -280,8 +280,9 @@ pub fn time<R: Real>(h: R, order: usize) -> R {
 /// The products of a system with few of them. They are constants of a type: the compiler knows them wherever
 /// it puts the code, inlined or not.
 pub trait Pairs<const L: usize> {
-    /// The indices of the factors of each product.
-    const FACTORS: [[usize; 2]; L];
+    /// The indices of the factors of each product. Unoptimised code would have a copy of an array on the
+    /// stack for each use of it.
+    const FACTORS: &'static [[usize; 2]; L];
 }
 
 /// The convolutions of the `L` products `S` of `F` factors. Their outermost terms, with coefficients of the
@@ -352,7 +353,7 @@ impl<'a, S: Pairs<L>, R: Real, const F: usize, const L: usize, const W: usize, c
                 *to = coefficient;
             }
         } else {
-            for (i, [a, b]) in S::FACTORS.into_iter().enumerate() {
+            for (i, &[a, b]) in S::FACTORS.iter().enumerate() {
                 (left[i], right[i]) = (factors[a], factors[b]);
             }
         }

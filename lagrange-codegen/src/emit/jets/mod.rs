@@ -256,7 +256,7 @@ impl Pass<'_> {
                 format!(
                     "struct Products;\n\
                      impl lagrange::jets::Pairs<{0}> for Products {{\n\
-                     const FACTORS: [[usize; 2]; {0}] = {products:?};\n}}\n\
+                     const FACTORS: &'static [[usize; 2]; {0}] = &{products:?};\n}}\n\
                      let mut products = lagrange::jets::Convolutions::new(tables, Products);\n",
                     products.len()
                 ),

@@ -21,7 +21,7 @@ pub(super) fn items(model: &Model, tiles: &Tiles, factors: &[Factor], of: &Of) -
         ));
     }
     text.push_str(&format!(
-        "}}\nconst PACKED: [usize; {columns}] = lagrange::jets::packed(&{rooms:?});\n}}\n"
+        "}}\nconst PACKED: &'static [usize; {columns}] = &lagrange::jets::packed(&{rooms:?});\n}}\n"
     ));
     for (index, pattern) in patterns.iter().enumerate() {
         let products = pattern.products.len();

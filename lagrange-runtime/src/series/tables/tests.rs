@@ -44,7 +44,7 @@ fn the_sweep_is_the_convolution() {
 struct Products;
 
 impl Pairs<5> for Products {
-    const FACTORS: [[usize; 2]; 5] = [[0, 1], [1, 1], [2, 0], [3, 5], [4, 4]];
+    const FACTORS: &'static [[usize; 2]; 5] = &[[0, 1], [1, 1], [2, 0], [3, 5], [4, 4]];
 }
 
 /// `of` gives numbers by two entries each, `L` is the length of a row.
@@ -54,7 +54,7 @@ fn completes<R: Real, const L: usize, const P: usize>(of: impl Fn(f64, f64) -> R
     let mut convolutions = Convolutions::<_, R, 6, 5, L, P>::new(&mut tables, Products);
     for order in 1..=P {
         let found = convolutions.sums(order);
-        for ([a, b], found) in Products::FACTORS.into_iter().zip(found) {
+        for (&[a, b], found) in Products::FACTORS.iter().zip(found) {
             let whole: R = (1..order).map(|j| number(j, a) * number(order - j, b)).sum();
             assert_eq!(found, whole, "{P}, order {order}, factors {a} and {b}");
         }
