@@ -53,8 +53,8 @@ pub struct ImportArguments {
     /// Makes joint limits stops (#[unilateral]); without it motions are smooth and know no limits.
     #[arg(long)]
     limits: bool,
-    /// Makes dry friction of the joints part of the model (#[friction]); such motions go by `simulate` and by the
-    /// stepper of `Jet`.
+    /// Makes dry friction of the joints part of the model (#[friction]); such motions go by `simulate` and by
+    /// the stepper of `Jet`.
     #[arg(long)]
     friction: bool,
     /// Which joints have inputs.
