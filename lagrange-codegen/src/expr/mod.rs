@@ -1,9 +1,9 @@
 //! The expression graph: scalar, hash-consed, exact.
 //!
-//! A [`Graph`] is an arena of nodes. Equal expressions are one node, so common subexpressions
-//! are shared by construction. The only way to make a node is a constructor of `sums`,
-//! `products` or `functions`, which brings it into a local normal form. Operands always have
-//! a smaller [`NodeId`] than their user: ascending order is a topological order, and no walk
+//! A [`Graph`] is an arena of nodes. Equal expressions are one node, so common subexpressions are shared by
+//! construction. Nodes are made by constructors alone: constants and variables by those of `graph`, all
+//! others by those of `sums`, `products` and `functions`, which bring them into a local normal form. Operands
+//! always have a smaller [`NodeId`] than their user: ascending order is a topological order, and no walk
 //! needs recursion.
 
 mod evaluate;

@@ -9,8 +9,8 @@ use crate::number::real::Real;
 use crate::system::error::{Cause, MotionError};
 use crate::system::state::State;
 
-/// The largest violation of a start, as a share of √ε of its numbers. It accepts numbers that are written
-/// with nine digits, or with five in single precision.
+/// The largest violation of a start, as a share of √ε of its numbers: 9e-10 of them, or 2e-5 in single
+/// precision. So numbers that are written with ten digits are accepted, or with six in single precision.
 pub(super) const SHARE: f64 = 1.0 / 16.0;
 
 /// Begins a motion at a state. Refuses a state that violates constraints, and removes rounding errors from

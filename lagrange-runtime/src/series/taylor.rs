@@ -164,8 +164,9 @@ fn sum<R: Real>(terms: &[R], part: impl Fn(R) -> R) -> R {
     (a + c) + (b + d) + rest
 }
 
-/// The coefficients of a polynomial on the interval from `from` that is `width` long: by Horner's rule, in
-/// which those of one power of the argument do not wait for each other.
+/// Turns coefficients of powers of the argument into those on the interval that begins at `from` and is
+/// `width` long. Each pass of Horner's rule takes up one more power, and the sums of a pass do not wait for
+/// each other.
 pub(crate) fn shift<R: Real>(coefficients: &mut [R], from: R, width: R) {
     if !from.is_zero() {
         for first in (0..coefficients.len().saturating_sub(1)).rev() {

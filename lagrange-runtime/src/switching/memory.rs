@@ -70,8 +70,8 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         State { t, ..state }
     }
 
-    /// Makes a piece of its own of the way to the state that follows a piece. There is none if that state is
-    /// not later than the piece.
+    /// Makes the way from a piece to the state that follows it a piece of its own. Returns whether there is
+    /// such a way: there is none if that state has the time at which the piece ends.
     pub(super) fn go_on_way(&mut self) -> bool {
         let from = self.end.t;
         self.is_way = self.after().t != from;

@@ -185,8 +185,8 @@ where
         above(crossing.rate.abs(), (crossing.rate - before).abs())
     }
 
-    /// Another guard that, as far as is known, falls through zero at the same time, and that varies
-    /// otherwise.
+    /// Another guard that falls through zero at the same time, as far as times are known, and whose zero
+    /// moves otherwise when the start varies.
     fn coincidence(
         &self,
         guard: Guard,

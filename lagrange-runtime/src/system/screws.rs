@@ -35,8 +35,8 @@ pub struct Group {
     pub parent: usize,
     /// The coordinates.
     pub coordinates: &'static [usize],
-    /// Where the rates of their screws stand. Without any, their number: what moves the screws is then all
-    /// that changes them.
+    /// Where the rates of their screws begin in [`Screws::rates`], or the length of that array if none are
+    /// given. The screws then change with the groups before this one and with nothing else.
     pub given: usize,
 }
 

@@ -3,8 +3,8 @@
 /// Characters of a line of formulas.
 const WIDTH: usize = 70;
 
-/// Splits a line into lines of a width that can be printed. Each goes on in the next, indented, from one of
-/// its outermost signs.
+/// Breaks lines that are too long to print. A line is broken before one of its outermost signs, and what
+/// follows is indented.
 pub(super) fn folded(text: &str) -> String {
     text.lines().flat_map(fold).map(|line| line + "\n").collect()
 }

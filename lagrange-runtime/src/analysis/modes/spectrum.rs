@@ -92,8 +92,8 @@ fn deflated(part: &DMatrix<f64>, tolerance: f64) -> DMatrix<f64> {
 /// With an exact zero for a real or an imaginary part that is smaller than its error.
 ///
 /// To first order an eigenvalue is as uncertain as the matrix times |x| |y| / |yᵀx|, where x and y are its
-/// eigenvectors of the matrix and of the transpose; two that meet are uncertain by the root, to which that
-/// grows (Golub and Van Loan, § 7.2.2).
+/// eigenvectors of the matrix and of the transpose. Where two eigenvalues meet, yᵀx is zero: their relative
+/// error is then the root of that of the matrix, and no error is larger (Golub and Van Loan, § 7.2.2).
 fn settled(part: &DMatrix<f64>, value: Complex<f64>, scale: f64, share: f64) -> Complex<f64> {
     // Both of a conjugate pair get the same treatment.
     let above = Complex::new(value.re, value.im.abs());

@@ -111,8 +111,8 @@ fn errors<R: Ordered, const N: usize>(tried: &Tried<'_, R, N>) -> [R::Lane; N] {
     tried.estimates[0].v.map(|x| x.part(0).largest().abs())
 }
 
-/// The largest estimated errors of the coordinates (by h²) and of the velocities (by h) that accelerations of
-/// size 1 in the stages can cause.
+/// The largest estimated errors of the coordinates (in units of h²) and of the velocities (in units of h)
+/// that accelerations of size 1 in the stages can cause.
 fn bounds() -> [f64; 2] {
     let [mut q, mut v] = [0.0; 2];
     for (weight, row) in E5.iter().zip(&A) {

@@ -10,12 +10,12 @@ use crate::number::real::{Ordered, Real, extent, larger};
 use crate::system::linearized::Linearized;
 use crate::system::state::State;
 
-/// A correction that no longer shrinks is a rounding error if it is below this many ulps of the corrected
-/// number.
+/// A correction of velocities that no longer shrinks is a rounding error if it is below this many ulps of the
+/// largest velocity plus the largest coordinate divided by the step.
 const ROUNDINGS: f64 = 1e4;
 
-/// A correction of this many ulps is not worth making. A larger threshold turns the random walk of the energy
-/// into a drift.
+/// A correction of this many ulps of the largest velocity is not worth making. A larger threshold turns the
+/// random walk of the energy into a drift.
 const REST: f64 = 1e-4;
 
 /// The equations of one step.

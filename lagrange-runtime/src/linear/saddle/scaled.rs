@@ -77,9 +77,9 @@ const LIGHT: f64 = 8.0;
 
 /// Units of coordinates without inertia of their own.
 ///
-/// By what ties them to coordinates whose units are known: a coupling in M of size 1, or else columns of A as
-/// large as the rows are in the others. If nothing does, the first gets the unit of its own entries, and the
-/// others follow.
+/// Such a coordinate gets its unit from what ties it to coordinates whose units are known. Its coupling in M
+/// becomes 1, or else its column of A becomes [`LIGHT`] times as large as the rows are in the others. If
+/// nothing ties any of them, the first gets the unit of its own entries, and the others follow.
 #[cold]
 #[inline(never)]
 fn completed<R: Real, const N: usize, const C: usize>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> [R; N] {

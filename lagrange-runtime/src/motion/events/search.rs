@@ -199,8 +199,9 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         }
     }
 
-    /// The end of the part of the last step ahead of the front, after another step if need be. `None` if that
-    /// step led nowhere.
+    /// How far the motion is known ahead of the front: to the end of its last step, or to `until` if that
+    /// comes first. Takes another step if the last one does not lead ahead. `None` if the new step led
+    /// nowhere.
     fn reach<S, C, M, G, const K: usize>(
         &mut self,
         motion: &mut Simulation<'_, S, C, M, N, K>,

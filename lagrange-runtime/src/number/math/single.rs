@@ -1,9 +1,10 @@
 //! Functions of `f32` in single precision throughout.
 //!
 //! The `libm` crate computes these in double precision. On a processor whose floating-point unit knows `f32`
-//! alone each would take thousands of instructions and link the emulation of doubles, several kilobytes. The
-//! functions here need neither. Their largest errors, found by trying all arguments, are 2.5 units in the
-//! last place for sine and cosine (1.1e-7 at most), 4 for the tangent and the arc sine, 1 for the others.
+//! alone, each of them would take thousands of instructions and link the emulation of doubles, several
+//! kilobytes. The functions here need neither. Their largest errors, found by trying all arguments, are 2.5
+//! units in the last place for sine and cosine (1.1e-7 at most), 4 for the tangent and the arc sine, 1 for
+//! the others.
 
 pub(crate) use libm::*;
 

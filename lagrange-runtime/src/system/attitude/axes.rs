@@ -1,4 +1,4 @@
-//! Momenta, forces and accelerations by named velocities. Angular ones are in body axes, where a state holds
+//! Momenta, forces and accelerations by named velocities. Angular ones are in body axes, while a state holds
 //! rates of parameters.
 //!
 //! With ρ′ = J(ρ) ω, the conjugate of ω is Jᵀ p, and the mass matrix is Jᵀ M J.
