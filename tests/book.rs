@@ -174,6 +174,42 @@ fn every_cause_is_explained() {
     }
 }
 
+/// The message of each cause as it stands in the source, by the name of the cause.
+fn message(of: &str, source: &str) -> String {
+    let name = |arm: &str| arm.split(|c: char| !c.is_ascii_alphanumeric()).next().map(str::to_owned);
+    let arms = source.split("\n            Self::").skip(1);
+    arms.filter(|arm| name(arm).as_deref() == Some(of)).map(joined).collect()
+}
+
+/// Source text with the line breaks inside of strings taken out.
+fn joined(source: &str) -> String {
+    source.split("\\\n").enumerate().map(|(i, line)| if i == 0 { line } else { line.trim_start() }).collect()
+}
+
+#[test]
+fn every_message_leads_to_its_cause() {
+    let page = read("book/src/errors.md");
+    let (_, table) = page.split_once("## From a message to its cause").expect("the table is there");
+    let (table, _) = table.split_once("\n## ").expect("it ends");
+    let messages = read("lagrange-runtime/src/system/error/display.rs");
+    // The message of `Misread` comes with the name of the function, for the sake of size.
+    let misread = joined(&read("lagrange-runtime/src/system/reading.rs"));
+    let mut missing: BTreeSet<String> = causes().into_iter().collect();
+    for row in table.lines().filter(|line| line.contains("](#")) {
+        let (words, cause) = row.trim_matches([' ', '|']).split_once(" | [`").expect("two columns");
+        let (cause, anchor) = cause.split_once("`](#").expect("a link to a heading");
+        assert_eq!(anchor, format!("{})", cause.to_lowercase()), "{row}");
+        let message = if cause == "Misread" { misread.clone() } else { message(cause, &messages) };
+        for words in
+            words.split('…').map(|words| words.trim_matches([' ', ','])).filter(|words| words.len() > 3)
+        {
+            assert!(message.contains(words), "`{words}` is not in the message of {cause}: {message}");
+        }
+        missing.remove(cause);
+    }
+    assert!(missing.is_empty(), "no row leads to {missing:?}");
+}
+
 #[test]
 fn the_readme_is_short_and_pictures_are_small() {
     let bytes = read("README.md").len();
