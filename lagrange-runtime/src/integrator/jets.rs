@@ -214,9 +214,7 @@ where
     where
         S::Scalar: Ordered,
     {
-        let none: [&[_]; 2] = [&[]; 2];
-        let [reactions, functions] = if memory.is_as_expanded { S::followed(&memory.tables) } else { none };
-        Some(Terms { reactions, functions, ..memory.terms() })
+        Some(memory.terms(S::followed))
     }
 
     #[inline]

@@ -70,8 +70,8 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         State { t, ..state }
     }
 
-    /// Makes the way from a piece to the state that follows it a piece of its own. Returns whether there is
-    /// such a way: there is none if that state has the time at which the piece ends.
+    /// Makes the way from the end of a piece to the state that follows it a piece of its own. Returns false,
+    /// and changes no state, if both have the same time.
     pub(super) fn go_on_way(&mut self) -> bool {
         let from = self.end.t;
         self.is_way = self.after().t != from;

@@ -62,7 +62,8 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
     } else {
         let tables = format!("jets::Followed<lagrange::{tables}, {scalar}, {held}, {followed}, ORDERS>");
         let along = format!(
-            "#[inline]\nfn followed<const ORDERS: usize>(tables: &lagrange::{tables}) -> [&[{scalar}]; 2] {{\ntables.rows()\n}}\n"
+            "#[inline]\nfn followed<const ORDERS: usize>(tables: &lagrange::{tables}) \
+             -> [&[{scalar}]; 2] {{\ntables.rows()\n}}\n"
         );
         let read = |is_read: bool, name: &str| if is_read { name.to_owned() } else { format!("{name}: _") };
         let opened = format!(
@@ -82,7 +83,8 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
         "{}{}type JetConstants = {constants_type};\n\
          type Tables<const ORDERS: usize> = lagrange::{tables};\n\
          #[inline]\nfn jet_constants(&self) -> {constants_type} {{\n{constants_body}\n}}\n\
-         #[inline]\nfn jet_at<const ORDERS: usize>(\n&self, {}: &{constants_type}, {}: {scalar}, {}: &{vector}, v: &{vector}, \
+         #[inline]\nfn jet_at<const ORDERS: usize>(\n&self, {}: &{constants_type}, {}: {scalar}, \
+         {}: &{vector}, v: &{vector}, \
          {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut lagrange::{tables}, \
          series: &mut lagrange::Series<{scalar}, {count}, ORDERS>,\n) -> bool {{\n{items}{}\n}}\n{along}",
         if jets.is_steep { "const STEEP: bool = true;\n" } else { "" },

@@ -16,7 +16,8 @@ pub(super) fn items(model: &Model, tiles: &Tiles, factors: &[Factor], of: &Of) -
     );
     for &Tile { pattern, width, used, stride, base, packed, first } in &tiles.tiles {
         text.push_str(&format!(
-            "lagrange::jets::tile::<Pattern{pattern}, _, _, _, {width}, {}>(rows, sums, [{base}, {packed}, {first}, {used}, {stride}]);\n",
+            "lagrange::jets::tile::<Pattern{pattern}, _, _, _, {width}, {}>(\
+             rows, sums, [{base}, {packed}, {first}, {used}, {stride}]);\n",
             patterns[pattern].products.len()
         ));
     }

@@ -27,7 +27,8 @@ pub(super) fn coefficients(emission: &Emission<'_>, switching: &mut Regimes) -> 
     });
     format!(
         "fn coefficients_at(&self, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}, \
-         _: &lagrange::Laws<{scalar}, {rows}, {kinks}>) -> [lagrange::Coefficients<{scalar}, {rows}>; 2] {{\n{body}\n}}\n"
+         _: &lagrange::Laws<{scalar}, {rows}, {kinks}>) \
+         -> [lagrange::Coefficients<{scalar}, {rows}>; 2] {{\n{body}\n}}\n"
     )
 }
 
@@ -43,7 +44,8 @@ pub(super) fn backward(emission: &Emission<'_>, switching: &Regimes) -> String {
     });
     let (scalar, count, given) = (&emission.scalar, emission.count(), emission.model.inputs.len());
     format!(
-        "fn backward_in<{NUMBER}: lagrange::Real>(\n__in_regime: &Self::InRegime, __number: impl ::core::ops::Fn({scalar}) -> {NUMBER}, \
+        "fn backward_in<{NUMBER}: lagrange::Real>(\n__in_regime: &Self::InRegime, \
+         __number: impl ::core::ops::Fn({scalar}) -> {NUMBER}, \
          t: {NUMBER}, q: &[{NUMBER}; {count}], v: &[{NUMBER}; {count}], u: &[{NUMBER}; {given}],\n) \
          -> ::core::option::Option<[{NUMBER}; {rows}]> {{\n{body}\n}}\n",
         rows = switching.rows()

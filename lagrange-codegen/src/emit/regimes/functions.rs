@@ -80,9 +80,11 @@ pub(super) fn functions(emission: &Emission<'_>, switching: &Regimes) -> String 
     let [of_rows, fixed, of_kinks] = [&each[..rows], &each[rows..], of_kinks].map(|values| values.join(", "));
     let (own, count, given) = (&emission.scalar, emission.count(), emission.model.inputs.len());
     format!(
-        "fn functions_in<{NUMBER}: lagrange::Real>(\n__in_regime: &Self::InRegime, __number: impl ::core::ops::Fn({own}) -> {NUMBER}, \
+        "fn functions_in<{NUMBER}: lagrange::Real>(\n__in_regime: &Self::InRegime, \
+         __number: impl ::core::ops::Fn({own}) -> {NUMBER}, \
          t: {NUMBER}, q: &[{NUMBER}; {count}], v: &[{NUMBER}; {count}], u: &[{NUMBER}; {given}], \
-         __wanted: &lagrange::Wanted<{rows}, {kinks}>,\n) -> lagrange::Functions<{NUMBER}, {rows}, {kinks}> {{\n{text}\
+         __wanted: &lagrange::Wanted<{rows}, {kinks}>,\n) \
+         -> lagrange::Functions<{NUMBER}, {rows}, {kinks}> {{\n{text}\
          lagrange::Functions {{ rows: [{of_rows}], fixed: [{fixed}], kinks: [{of_kinks}] }}\n}}\n{}",
         along(switching)
     )

@@ -130,17 +130,17 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
         self.ulps = [[R::zero(); N]; 2];
     }
 
-    /// The polynomial of the step.
-    pub(super) fn terms(&self) -> Terms<'_, R, N> {
-        let length = (self.end.t - self.start.t) + (self.end_residue.t - self.residue.t);
+    /// The polynomial of the step, with reactions and functions that are read from the tables.
+    pub(super) fn terms(&self, followed: impl FnOnce(&T) -> [&[R]; 2]) -> Terms<'_, R, N> {
+        let [reactions, functions] = if self.is_as_expanded { followed(&self.tables) } else { [&[][..]; 2] };
         Terms {
             q: self.series.q.get(..self.orders).unwrap_or_default(),
             v: self.series.v.get(..self.orders).unwrap_or_default(),
-            length: length / self.unit,
+            length: ((self.end.t - self.start.t) + (self.end_residue.t - self.residue.t)) / self.unit,
             unit: self.unit,
             residue: self.residue.t,
-            reactions: &[],
-            functions: &[],
+            reactions,
+            functions,
             left: R::zero(),
         }
     }

@@ -195,9 +195,7 @@ where
     where
         S::Scalar: Ordered,
     {
-        let none: [&[_]; 2] = [&[]; 2];
-        let [reactions, functions] = if memory.is_as_expanded { S::followed(&memory.tables) } else { none };
-        let terms = Terms { reactions, functions, ..memory.terms() };
+        let terms = memory.terms(S::followed);
         Some(Terms { left: left(&terms), ..terms })
     }
 
