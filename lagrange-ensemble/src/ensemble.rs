@@ -1,6 +1,6 @@
 //! [`Ensemble`]: many motions of one description.
 
-use lagrange_runtime::{Guard, Held, Ordered, Real, Simulation, State, System, Vector};
+use lagrange_runtime::{Adaptive, Guard, Held, Ordered, Real, Simulation, State, System, Vector};
 
 use crate::failure::Failure;
 use crate::lanes::InLanes;
@@ -51,18 +51,19 @@ impl Settings {
         format!("tolerances {tolerances:?}, longest step {longest:?}, most steps {max_steps:?}")
     }
 
-    /// The motion from a start.
-    pub(crate) fn motion<'a, S, const N: usize, const K: usize>(
+    /// The motion from a start, by a method.
+    pub(crate) fn motion<'a, S, M, const N: usize, const K: usize>(
         &self,
         system: &'a S,
         start: State<S::Scalar, N>,
-    ) -> Motion<'a, S, N, K>
+    ) -> Simulation<'a, S, Held<S::Scalar, K>, M, N, K>
     where
         S: System<N, K>,
         S::Scalar: Ordered,
+        M: Adaptive<S, Held<S::Scalar, K>, N, K>,
     {
         let number = S::Scalar::from_f64;
-        let mut motion = system.simulate(start);
+        let mut motion = Simulation::new(system, start);
         motion = match self.tolerances {
             Some((relative, None)) => motion.with_tolerance(number(relative)),
             Some((relative, Some(absolute))) => motion.with_tolerances(number(relative), number(absolute)),

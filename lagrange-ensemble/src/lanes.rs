@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::marker::PhantomData;
 
 use lagrange_runtime::relay::{Standing, get, set};
-use lagrange_runtime::{Ordered, Real, Relay, Sensitive, Smooth, State, Vector};
+use lagrange_runtime::{Dop853, Held, Ordered, Real, Relay, Sensitive, Simulation, Smooth, State, Vector};
 
 use crate::ensemble::{Ensemble, Motion, Settings, Start, States, end, sampled};
 use crate::failure::Failure;
@@ -248,8 +248,10 @@ where
     fn job(&self, index: u64, template: &mut Option<S>) -> Result<Option<Job<S::Scalar, N>>, Failure> {
         let (system, start) = (self.ensemble.start)(index).start()?;
         let end = (0..).map_while(|k| (self.time)(&start, k)).last();
-        // A motion checks tolerances, masses and names of quantities where it begins.
-        let mut motion = self.ensemble.settings.motion(&system, start);
+        // A motion checks tolerances, masses and names of quantities where it begins. The tables of a series
+        // would be filled with zeros for nothing.
+        let mut motion: Simulation<'_, S, Held<S::Scalar, K>, Dop853, N, K> =
+            self.ensemble.settings.motion(&system, start);
         let begun = motion.advance_to(start.t).copied();
         let (Some(end), Ok(start)) = (end.filter(|end| end.is_finite()), begun) else { return Ok(None) };
         let mut parameters = Vec::new();

@@ -17,9 +17,6 @@ use core::ops::{Index, IndexMut, Range};
 use super::tables::is_wide;
 use crate::number::real::Real;
 
-/// The most sums that are set to zero before each order.
-const FRESH: usize = 32;
-
 /// The products of a system: `C` columns, `L` sums.
 pub trait Products<const C: usize, const L: usize> {
     /// The interior sums over rows that hold the coefficients of the orders below.
@@ -82,14 +79,8 @@ impl<R: Real, const C: usize, const P: usize> Columns<R, C, P> {
     /// Σ a\[j] b\[order − j] over 0 < j < order, for all products a b.
     #[inline(always)]
     pub fn interior<S: Products<C, L>, const L: usize>(&self, order: usize, sums: &mut [R; L]) {
-        // Numbers are set to zero, which costs nothing and spares them what the last order left. For vectors
-        // it would be a tenth of the work.
-        if !is_wide::<R>() && L <= FRESH {
-            *sums = [R::zero(); L];
-        }
-        if let Some(rows) = self.rows.get(..order - 1) {
-            outlined::<S, R, C, L>(rows, sums);
-        }
+        // Called without a condition, so that what follows reads the sums where they are.
+        outlined::<S, R, C, L>(self.rows.get(..order - 1).unwrap_or_default(), sums);
     }
 }
 
