@@ -45,10 +45,20 @@ pub(super) struct Found<R> {
     pub(super) until: R,
 }
 
+/// A guard at the end of a part of the step.
+#[derive(Clone, Copy)]
+struct End<R, const N: usize> {
+    part: R,
+    state: State<R, N>,
+    /// The rounding errors of the state.
+    errors: State<R, N>,
+    value: Rounded<R>,
+}
+
 /// The part of a step on which a guard is known.
-enum Known<R> {
-    /// The part on which its series converges like the motion, and its value at the end of that part.
-    Series(R, Rounded<R>),
+enum Known<R, const N: usize> {
+    /// The end of the part on which its series converges like the motion.
+    Series(End<R, N>),
     /// A part that is too short to matter: the guard has no series on it, as the distance from a centre has
     /// none there, but does not come near zero.
     Clear(R),
@@ -56,13 +66,11 @@ enum Known<R> {
 }
 
 /// A guard along a step.
-struct Way<R> {
+struct Way<R, const N: usize> {
     guard: Guard,
     curve: Taylor<R>,
-    /// The part of the step that is examined.
-    until: R,
-    /// The guard at its end.
-    end: Rounded<R>,
+    /// The end of the part of the step that is examined.
+    end: End<R, N>,
     /// The side of zero on which the guard starts.
     before: Before,
 }
@@ -137,23 +145,23 @@ where
                 _ => Known::Nowhere,
             };
             let until = match known {
-                Known::Series(until, _) | Known::Clear(until) => until,
+                Known::Series(End { part: until, .. }) | Known::Clear(until) => until,
                 Known::Nowhere => before,
             };
             if until < before {
                 found = Found { first: None, until };
             }
-            let Known::Series(until, end) = known else {
+            let Known::Series(end) = known else {
                 match known {
                     Known::Nowhere => self.sample(guard),
-                    Known::Clear(_) | Known::Series(..) => self.pass(guard),
+                    Known::Clear(_) | Known::Series(_) => self.pass(guard),
                 }
                 continue;
             };
             for direction in self.directions_of(guard) {
                 let curve = whole.take().or_else(|| self.curve(guard, direction, course, &ends.start));
                 let Some(curve) = curve else { continue };
-                let way = Way { guard, curve, until, end, before: self.before(guard, &curve, fired) };
+                let way = Way { guard, curve, end, before: self.before(guard, &curve, fired) };
                 if let Some(fall) = self.fall(&way, course, ends, &borne, attempts)?
                     && found.first.as_ref().is_none_or(|(other, _)| fall.place < other.place)
                 {
@@ -167,7 +175,7 @@ where
     /// The first fall of a guard along its way.
     fn fall(
         &self,
-        Way { guard, curve, until, end, before }: &Way<S::Scalar>,
+        Way { guard, curve, end: last, before }: &Way<S::Scalar, N>,
         course: &Course<'_, S::Scalar, N>,
         ends: &Ends<S::Scalar, C, W>,
         borne: &Borne<S::Scalar, N, C>,
@@ -175,13 +183,14 @@ where
     ) -> Result<Option<Fall<S::Scalar>>, Cause> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let clearest = S::Scalar::from_f64(0.5).powi(CLEAREST);
-        let (mut from, mut width) = (zero, *until);
+        let until = last.part;
+        let (mut from, mut width, mut here) = (zero, until, *self.start);
         loop {
             let to = from + width;
-            let end = if to == *until { *end } else { self.at_place(*guard, course, [to, to], borne) };
+            let end = if to == until { *last } else { self.at_end(*guard, course, to, borne) };
             // With the same errors of the state, so that both differ by the guard alone.
-            let own = self.at_place(*guard, course, [from, to], borne).error;
-            let part = Taylor { error: larger(own, end.error), ..curve.on(from, width) };
+            let own = self.at_state(*guard, course, from, [&here, &end.errors], borne).error;
+            let part = Taylor { error: larger(own, end.value.error), ..curve.on(from, width) };
             if !stays_above(&part) {
                 let clear = if width > clearest { clear(&part, own) } else { num_traits::One::one() };
                 if clear < num_traits::One::one() {
@@ -195,17 +204,17 @@ where
                     return Ok(Some(Fall { place, fallen }));
                 }
             }
-            from = to;
+            (from, here) = (to, end.state);
             // A remainder that is a rounding error is no part of a step.
-            if *until - from <= S::Scalar::epsilon() {
+            if until - from <= S::Scalar::epsilon() {
                 break;
             }
-            width = smaller(width + width, *until - from);
+            width = smaller(width + width, until - from);
         }
         // A guard below zero at the end has fallen, whatever its truncated polynomial says.
-        let is_end = *until == num_traits::One::one() && !self.is_of_reactions(*guard);
-        let has_fallen = is_end && ends.end.get(*guard).part(0) < -end.error;
-        Ok(has_fallen.then_some(Fall { place: *until, fallen: *until }))
+        let is_end = until == num_traits::One::one() && !self.is_of_reactions(*guard);
+        let has_fallen = is_end && ends.end.get(*guard).part(0) < -last.value.error;
+        Ok(has_fallen.then_some(Fall { place: until, fallen: until }))
     }
 
     /// The part of the step, no longer than `until`, on which a guard is known.
@@ -216,20 +225,20 @@ where
         course: &Course<'_, S::Scalar, N>,
         borne: &Borne<S::Scalar, N, C>,
         mut until: S::Scalar,
-    ) -> Known<S::Scalar> {
+    ) -> Known<S::Scalar, N> {
         let shortest = S::Scalar::from_f64(0.5).powi(HALVINGS);
         loop {
-            let end = self.at_place(guard, course, [until; 2], borne);
+            let end = self.at_end(guard, course, until, borne);
             let curve = whole.on(num_traits::Zero::zero(), until);
-            let lacks = (curve.end() - end.value).abs();
-            let bound = course.allowed() * curve.extent() + end.error;
+            let lacks = (curve.end() - end.value.value).abs();
+            let bound = course.allowed() * curve.extent() + end.value.error;
             // Without a bound, as beside a pole, nothing agrees.
             if self.is_of_reactions(guard) || lacks <= bound && bound.is_finite() {
-                return Known::Series(until, end);
+                return Known::Series(end);
             }
             if until < shortest {
                 let until = S::Scalar::from_f64(BEYOND) * until;
-                let value = |place: S::Scalar| self.at_place(guard, course, [place * until; 2], borne).value;
+                let value = |place: S::Scalar| self.at_end(guard, course, place * until, borne).value.value;
                 return if is_clear(value) { Known::Clear(until) } else { Known::Nowhere };
             }
             // A series that converges to something else, as that of the distance from a centre does behind
@@ -240,31 +249,43 @@ where
         }
     }
 
-    /// A guard after a part of the step, with the rounding errors that the state has after another one.
-    fn at_place(
+    /// A guard at the end of a part of the step.
+    fn at_end(
         &self,
         guard: Guard,
         course: &Course<'_, S::Scalar, N>,
-        [place, reach]: [S::Scalar; 2],
+        part: S::Scalar,
+        borne: &Borne<S::Scalar, N, C>,
+    ) -> End<S::Scalar, N> {
+        let half = S::Scalar::from_f64(0.5);
+        let [state, mut errors] = course.at(self.start, part);
+        let passed = part * course.time();
+        errors.t *= S::Scalar::epsilon();
+        for (i, &rounding) in borne.roundings.iter().enumerate() {
+            errors.q[i] = S::Scalar::epsilon() * errors.q[i] + half * passed * part * rounding;
+            errors.v[i] = S::Scalar::epsilon() * errors.v[i] + part * rounding;
+        }
+        let value = self.at_state(guard, course, part, [&state, &errors], borne);
+        End { part, state, errors, value }
+    }
+
+    /// A guard at a state after a part of the step, with these errors of the state.
+    fn at_state(
+        &self,
+        guard: Guard,
+        course: &Course<'_, S::Scalar, N>,
+        part: S::Scalar,
+        [state, errors]: [&State<S::Scalar, N>; 2],
         borne: &Borne<S::Scalar, N, C>,
     ) -> Rounded<S::Scalar> {
         let own = self.only(guard);
-        let half = S::Scalar::from_f64(0.5);
-        let [state, sizes] = course.at(self.start, place);
-        let mut errors = if place == reach { sizes } else { course.at(self.start, reach)[1] };
-        let passed = reach * course.time();
-        errors.t *= S::Scalar::epsilon();
-        for (i, &rounding) in borne.roundings.iter().enumerate() {
-            errors.q[i] = S::Scalar::epsilon() * errors.q[i] + half * passed * reach * rounding;
-            errors.v[i] = S::Scalar::epsilon() * errors.v[i] + reach * rounding;
-        }
         let mut reactions = [Rounded::exact(num_traits::Zero::zero()); C];
         if own.has_reactions() {
             for (row, reaction) in reactions.iter_mut().enumerate() {
-                *reaction = Rounded { value: course.reaction_at(row, C, place), error: borne.errors[row] };
+                *reaction = Rounded { value: course.reaction_at(row, C, part), error: borne.errors[row] };
             }
         }
-        let Rounded { value, error } = *own.rounded(&state, &errors, &reactions).get(guard);
+        let Rounded { value, error } = *own.rounded(state, errors, &reactions).get(guard);
         Rounded { value: value.part(0), error: error.part(0) }
     }
 
