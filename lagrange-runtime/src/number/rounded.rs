@@ -1,7 +1,8 @@
 //! [`Rounded`]: a number with a bound of its error.
 //!
 //! Errors are followed from operation to operation, to first order (Higham, *Accuracy and Stability of
-//! Numerical Algorithms*, 3.3); in products to second order, since a factor may be a rounding error alone.
+//! Numerical Algorithms*, 3.3); in products and quotients exactly, since a factor may be a rounding error alone
+//! and a denominator nearly one.
 
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -142,7 +143,10 @@ impl<R: Ordered> Real for Rounded<R> {
     }
     fn recip(self) -> Self {
         let value = self.value.recip();
-        self.through(value, value * value)
+        // |1 / (v ± e) − 1 / v| ≤ e / (|v| (|v| − e)). Where v may be zero there is no bound.
+        let least = self.value.abs() - self.error;
+        let slope = if least.is_positive() { value / least } else { R::from_f64(f64::INFINITY) };
+        self.through(value, slope)
     }
     fn sqrt(self) -> Self {
         let value = self.value.sqrt();
@@ -287,6 +291,19 @@ mod tests {
     #[test]
     fn a_root_of_roundings_is_known_by_their_root() {
         assert!((Rounded { value: 0.0, error: 1e-16 }.sqrt().error - 1e-8_f64).abs() < 1e-20);
+    }
+
+    #[test]
+    fn a_quotient_has_a_bound_as_long_as_its_denominator_is_no_zero() {
+        let over = |error| Rounded::exact(3.0) / Rounded { value: 2.0, error };
+        for error in [0.1, 1.0, 1.9] {
+            let furthest = 3.0 / (2.0 - error) - 1.5;
+            let bound = over(error).error;
+            assert!(bound >= furthest && bound <= furthest * (1.0 + 1e-9), "{error}: {bound} {furthest}");
+        }
+        for error in [2.0, 3.0] {
+            assert_eq!(over(error).error, f64::INFINITY);
+        }
     }
 
     #[test]
