@@ -73,9 +73,8 @@ examples() { tests --test examples; }
 features() {
     tests --test batch --test digits
     tests --doc book/src/
-    # Beside those of features the slow ones; what takes minutes is `roots`.
-    tests --lib -p lagrange-runtime -- double_double digits lanes
-    tests --lib -p lagrange-runtime -- --ignored --skip a_million --skip many_steps
+    # With the slow ones; what takes minutes is `roots`.
+    tests --lib -p lagrange-runtime -- --include-ignored --skip a_million --skip many_steps
 }
 
 companions() { cargo test -p cargo-lagrange -p lagrange-ensemble -p lagrange-pictures; }

@@ -8,6 +8,7 @@ use num_traits::{One, Zero};
 
 use crate::linear::stored::Stored;
 use crate::linear::{Ldlt, Lu};
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::System;
 use crate::system::error::{Cause, MotionError};
@@ -35,7 +36,7 @@ impl<R: Real, const N: usize> InertiaForces<R, N> {
     #[inline]
     #[must_use]
     pub fn total(&self) -> [R; N] {
-        core::array::from_fn(|i| self.relative[i] + self.coriolis[i] + self.gyroscopic[i] + self.transport[i])
+        array(|i| self.relative[i] + self.coriolis[i] + self.gyroscopic[i] + self.transport[i])
     }
 }
 
@@ -70,7 +71,7 @@ pub(super) fn refuse_negative<S: System<N, K>, const N: usize, const K: usize>(
 /// Symbols symmetric in their last two indices, from those with j ≤ i.
 #[inline]
 pub fn symmetric<R: Real, const N: usize>(symbols: [[[R; N]; N]; N]) -> [[[R; N]; N]; N] {
-    symbols.map(|given| core::array::from_fn(|i| core::array::from_fn(|j| given[i.max(j)][i.min(j)])))
+    symbols.each(|given| array(|i| array(|j| given[i.max(j)][i.min(j)])))
 }
 
 /// Christoffel symbols of the second kind from those of the first.
@@ -88,7 +89,7 @@ pub fn second_kind<R: Real, const N: usize>(
     let mut second = [[[R::zero(); N]; N]; N];
     for i in 0..N {
         for j in 0..=i {
-            let raised = factors.solve(core::array::from_fn(|k| first[k][i][j]));
+            let raised = factors.solve(array(|k| first[k][i][j]));
             for k in 0..N {
                 (second[k][i][j], second[k][j][i]) = (raised[k], raised[k]);
             }
@@ -120,18 +121,17 @@ pub fn velocities<R: Real, const N: usize>(
     let (mut slopes, mut momenta) = at(&v);
     let mut size = distance(p, &momenta);
     for _ in 0..CORRECTIONS {
-        let full =
-            core::array::from_fn(|i: usize| core::array::from_fn(|j: usize| slopes[i.max(j)][i.min(j)]));
+        let full = array(|i: usize| array(|j: usize| slopes[i.max(j)][i.min(j)]));
         let factors =
             Lu::factor(full).map_err(|pivot| error(Cause::SingularMassMatrix { pivot, name: Name::NONE }))?;
-        let correction = factors.solve(core::array::from_fn(|i| p[i] - momenta[i]));
+        let correction = factors.solve(array(|i| p[i] - momenta[i]));
         if affine {
             return finite(correction).ok_or(error(Cause::NotFinite));
         }
         let mut share = R::one();
         let mut improved = false;
         for _ in 0..HALVINGS {
-            let next: [R; N] = core::array::from_fn(|i| R::mul_add(share, correction[i], v[i]));
+            let next: [R; N] = array(|i| R::mul_add(share, correction[i], v[i]));
             let (next_slopes, next_momenta) = at(&next);
             let next_size = distance(p, &next_momenta);
             if next_momenta.iter().all(|p| p.is_finite()) && next_size < size {

@@ -3,6 +3,7 @@
 use super::{Imbalance, Place, Tangent};
 use crate::constraints::is_singular;
 use crate::linear::{Saddle, SaddlePoint};
+use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::diagnose;
 use crate::system::error::MotionError;
@@ -34,7 +35,7 @@ where
     let (multipliers, u) = ([zero; C], [zero; K]);
     let place = Place { t: *t, q, v, a, multipliers: &multipliers, u: &u };
     let Imbalance { forces, .. } = system.imbalance_at(&constants, &place);
-    let total = forces.map(|r| -r);
+    let total = forces.each(|r| -r);
     let failed = || MotionError { cause: diagnose(system, &constants, *t, q, v), t: *t };
     if !total.iter().all(|x| x.is_finite()) {
         return Err(failed());
@@ -55,5 +56,5 @@ where
             *force += entry * kappa;
         }
     }
-    Ok(InverseDynamics { total, required, multipliers: kappa.map(|kappa| -kappa) })
+    Ok(InverseDynamics { total, required, multipliers: kappa.each(|kappa| -kappa) })
 }

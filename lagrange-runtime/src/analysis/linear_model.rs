@@ -12,6 +12,7 @@ use super::response::{Factored, factored};
 use super::{Tangent, Variation};
 use crate::linear::stored::Stored;
 use crate::linear::{Ldlt, Saddle, SaddlePoint, TangentSpace};
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real};
 use crate::system::attitude::{drift, triple};
 use crate::system::error::MotionError;
@@ -118,7 +119,7 @@ impl<R: Real, const N: usize> Basis<R, N> {
                 vector.iter_mut().for_each(|x| *x *= size);
             }
         }
-        let dual = filled(|k, j| dot(&rows[k], &core::array::from_fn(|i| mass[i][j])));
+        let dual = filled(|k, j| dot(&rows[k], &array(|i| mass[i][j])));
         Self { vectors: filled(|i, k| rows[k][i]), count, dual }
     }
 }
@@ -129,7 +130,7 @@ fn is_positive<R: Real, const N: usize>(mass: &[[R; N]; N], space: &TangentSpace
     // Behind the basis the matrix is filled up with ones.
     let mut lower = Stored::<[[R; N]; N]>::zeros();
     for (l, y) in space.vectors.iter().enumerate() {
-        let image = mass.each_ref().map(|row| dot(row, y));
+        let image = mass.each_ref().each(|row| dot(row, y));
         for (k, z) in space.vectors.iter().enumerate() {
             lower[k][l] = dot(z, &image);
         }
@@ -164,8 +165,8 @@ fn columns<R: Real, const N: usize, const C: usize, const D: usize>(
 ) -> Stored<SMatrix<R, N, D>> {
     let mut rows = filled(|_, _| R::zero());
     for j in 0..D {
-        let force = core::array::from_fn(|i| forces(i, j));
-        let (column, _) = saddle.solve(&force, &core::array::from_fn(|c| -conditions(c, j)));
+        let force = array(|i| forces(i, j));
+        let (column, _) = saddle.solve(&force, &array(|c| -conditions(c, j)));
         for (i, x) in column.into_iter().enumerate() {
             rows[(i, j)] = x;
         }
@@ -254,7 +255,7 @@ impl<R: Real, const N: usize, const K: usize> LinearModel<R, N, K> {
                 .each_ref()
                 .map(|row| row.each_ref().map(|block| filled(|i, j| number(block[(i, j)])))),
             input: filled(|i, j| number(self.input[(i, j)])),
-            drift: self.drift.map(|part| part.map(number)),
+            drift: self.drift.each(|part| part.map(number)),
         }
     }
 
@@ -273,7 +274,8 @@ fn drift_of<R: Real, const N: usize>(
 ) -> [Stored<SMatrix<R, N, N>>; 2] {
     let mut blocks = [filled(|_, _| R::zero()), filled(|_, _| R::zero())];
     for &first in orientations {
-        let [rho, rates, seconds] = [&state.q, &state.v, accelerations].map(|numbers| triple(numbers, first));
+        let [rho, rates, seconds] =
+            [&state.q, &state.v, accelerations].each(|numbers| triple(numbers, first));
         for (block, rows) in blocks.iter_mut().zip(drift(rho, rates, seconds)) {
             for (i, row) in rows.into_iter().enumerate() {
                 for (j, entry) in row.into_iter().enumerate() {

@@ -7,6 +7,7 @@
 use super::Tangent;
 use super::response::{Factored, columns, factored};
 use crate::constraints::{Surface, settled_state};
+use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::linearized::Linearization;
 use crate::system::state::State;
@@ -23,7 +24,7 @@ where
     S: Tangent<N, K, C>,
 {
     let found = system.accelerations_at(constants, state.t, &state.q, &state.v, u);
-    core::array::from_fn(|i| found[i] - a[i])
+    array(|i| found[i] - a[i])
 }
 
 /// 1, ∂a/∂q and ∂a/∂v; NaN without accelerations. They are taken at the state to which `accelerations_at`
@@ -49,9 +50,7 @@ where
     };
     let (by_q, _) = columns(&saddle, &variation.by_q, &variation.conditions_by_q);
     let (by_v, _) = columns(&saddle, &variation.by_v, &variation.conditions_by_v);
-    let rows = |matrix: &nalgebra::SMatrix<S::Scalar, N, N>| {
-        core::array::from_fn(|i| core::array::from_fn(|j| matrix[(i, j)]))
-    };
+    let rows = |matrix: &nalgebra::SMatrix<S::Scalar, N, N>| array(|i| array(|j| matrix[(i, j)]));
     Linearization { mass, by_q: rows(&by_q), by_v: rows(&by_v) }
 }
 
@@ -70,5 +69,5 @@ where
         return [[S::Scalar::from_f64(f64::NAN); K]; N];
     };
     let (by_u, _) = columns(&saddle, &variation.by_u, &[[num_traits::Zero::zero(); K]; C]);
-    core::array::from_fn(|i| core::array::from_fn(|j| by_u[(i, j)]))
+    array(|i| array(|j| by_u[(i, j)]))
 }

@@ -8,6 +8,7 @@ use super::{Place, Tangent, Variation};
 use crate::constraints::{Balance, is_singular};
 use crate::linear::stored::Stored;
 use crate::linear::{Saddle, SaddlePoint};
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::error::MotionError;
 use crate::system::state::State;
@@ -75,9 +76,9 @@ pub(super) fn columns<R: Real, const N: usize, const C: usize, const D: usize>(
     forces: &[[R; D]; N],
     conditions: &[[R; D]; C],
 ) -> (SMatrix<R, N, D>, SMatrix<R, C, D>) {
-    let columns: [([R; N], [R; C]); D] = core::array::from_fn(|j| {
-        let force = core::array::from_fn(|i| forces[i][j]);
-        saddle.solve(&force, &core::array::from_fn(|c| -conditions[c][j]))
+    let columns: [([R; N], [R; C]); D] = array(|j| {
+        let force = array(|i| forces[i][j]);
+        saddle.solve(&force, &array(|c| -conditions[c][j]))
     });
     (SMatrix::from_fn(|i, j| columns[j].0[i]), SMatrix::from_fn(|c, j| columns[j].1[c]))
 }
@@ -96,7 +97,7 @@ where
     let (by_v, multipliers_by_v) = columns(&saddle, &variation.by_v, &variation.conditions_by_v);
     let nothing = [[num_traits::Zero::zero(); K]; C];
     let (by_u, multipliers_by_u) = columns(&saddle, &variation.by_u, &nothing);
-    let (forces, conditions) = (variation.by_t.map(|x| [x]), variation.conditions_by_t.map(|x| [x]));
+    let (forces, conditions) = (variation.by_t.each(|x| [x]), variation.conditions_by_t.each(|x| [x]));
     let (by_t, multipliers_by_t) = columns(&saddle, &forces, &conditions);
     let response = Response {
         by_q,

@@ -17,6 +17,7 @@ use nalgebra::SMatrix;
 
 use super::Sensitive;
 use crate::motion::simulation::Simulation;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Dual, Ordered, Real};
 use crate::system::System;
 use crate::system::control::Held;
@@ -112,22 +113,15 @@ impl<R: Real, const N: usize, const P: usize> Transition<R, N, P> {
 
     /// The state with the directions from `first` on.
     fn varied<const D: usize>(&self, first: usize) -> State<Dual<R, D>, N> {
-        let with = |value: R, row: usize| Dual {
-            value,
-            slopes: core::array::from_fn(|i| self.slope(row, first + i)),
-        };
+        let with = |value: R, row: usize| Dual { value, slopes: array(|i| self.slope(row, first + i)) };
         let State { t, q, v } = &self.state;
-        State {
-            t: Dual::constant(*t),
-            q: core::array::from_fn(|i| with(q[i], i)),
-            v: core::array::from_fn(|i| with(v[i], N + i)),
-        }
+        State { t: Dual::constant(*t), q: array(|i| with(q[i], i)), v: array(|i| with(v[i], N + i)) }
     }
 
     /// Takes a state and its directions from `first` on.
     fn take<const D: usize>(&mut self, first: usize, state: &State<Dual<R, D>, N>) {
         let State { t, q, v } = state;
-        self.state = State { t: t.value, q: q.map(|q| q.value), v: v.map(|v| v.value) };
+        self.state = State { t: t.value, q: q.each(|q| q.value), v: v.each(|v| v.value) };
         for (row, x) in state.q.iter().chain(&state.v).enumerate() {
             for (column, &slope) in (first..2 * N + P).zip(&x.slopes) {
                 if let Some(entry) = self.slope_mut(row, column) {
@@ -298,7 +292,7 @@ where
 
     /// Holds these inputs from here on.
     pub fn set_inputs(&mut self, inputs: [S::Scalar; K]) {
-        self.simulation.set_inputs(inputs.map(Dual::constant));
+        self.simulation.set_inputs(inputs.each(Dual::constant));
     }
 
     /// Goes on to time `t` \[s], forward or backward.

@@ -14,6 +14,7 @@ use core::fmt;
 
 use num_traits::One;
 
+use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::System;
 use crate::system::error::magnitude;
@@ -204,8 +205,8 @@ pub fn verify<S: Verifiable<N, K>, const N: usize, const K: usize>(
         let share = f64::from(count) * 0.618_033_988_749_894_9;
         S::Scalar::from_f64(2.0 * (share - f64::from(share as u32)) - 1.0)
     };
-    let states: [State<S::Scalar, N>; STATES] = core::array::from_fn(|_| {
-        let (q, v) = (core::array::from_fn(|_| next()), core::array::from_fn(|_| next()));
+    let states: [State<S::Scalar, N>; STATES] = array(|_| {
+        let (q, v) = (array(|_| next()), array(|_| next()));
         State { t: next(), q, v }
     });
     verify_at(system, &states)
@@ -223,9 +224,7 @@ pub fn verify_at<S: Verifiable<N, K>, const N: usize, const K: usize>(
     let mut passed = Certificate { states: 0, comparisons: 0, worst: 0.0 };
     for state in states {
         // Any numbers do for inputs.
-        let u = core::array::from_fn(|k| {
-            S::Scalar::from_f64(0.7 - 0.31 * k as f64) * (S::Scalar::one() + state.t.abs())
-        });
+        let u = array(|k| S::Scalar::from_f64(0.7 - 0.31 * k as f64) * (S::Scalar::one() + state.t.abs()));
         if let Some(seen) = checks::at_state(system, state, &u)? {
             passed.states += 1;
             passed.comparisons += seen.comparisons;

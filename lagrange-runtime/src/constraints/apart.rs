@@ -7,6 +7,7 @@
 use super::Surface;
 use super::residuals::{Level, Residuals, ULPS};
 use crate::linear::{CLEAR, SaddlePoint};
+use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::footing::Apart;
 use crate::system::metric::Metric;
@@ -50,7 +51,7 @@ where
             if excess.largest() <= num_traits::Zero::zero() {
                 break;
             }
-            let lack = residuals.values(level).map(|value| -value);
+            let lack = residuals.values(level).each(|value| -value);
             let (change, _) = saddle.solve(&[num_traits::Zero::zero(); N], &lack);
             let numbers = if level == Level::Positions { &mut state.q } else { &mut state.v };
             // A correction below an ulp counts as none.

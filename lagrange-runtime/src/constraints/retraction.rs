@@ -30,6 +30,7 @@ use super::solution::regular_at;
 use super::start::SHARE;
 use super::{Factors, Residuals, Surface, moved};
 use crate::linear::{Gradients, Independence, SaddlePoint, determined};
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::metric::Metric;
@@ -161,7 +162,7 @@ where
                 regular
                     .map_err(|cause| if has_moved { self.residuals.unmet(level, cause) } else { cause })?;
             }
-            let lack = self.residuals.values(level).map(|value| -value);
+            let lack = self.residuals.values(level).each(|value| -value);
             let none = [num_traits::Zero::zero(); N];
             let (change, _) = self.saddle.solve(&none, &lack);
             if !change.iter().all(|x| x.is_finite()) {
@@ -233,7 +234,7 @@ where
 
     /// Whether the next correction would reduce the residual, according to the gradients.
     fn corrects(&self, level: Level) -> bool {
-        let lack = self.residuals.values(level).map(|value| -value);
+        let lack = self.residuals.values(level).each(|value| -value);
         let (change, _) = self.saddle.solve(&[num_traits::Zero::zero(); N], &lack);
         let mut rest = self.residuals;
         let left = match level {
@@ -275,7 +276,7 @@ where
             return;
         }
         let none = [num_traits::Zero::zero(); N];
-        let (change, _) = self.saddle.solve(&none, &self.residuals.positions.map(|value| -value));
+        let (change, _) = self.saddle.solve(&none, &self.residuals.positions.each(|value| -value));
         let near = moved(&self.state, &change, &none, num_traits::One::one());
         let (saddle, gradients) = system.saddle_at(near.t, &near.q, &near.v);
         if saddle.rank() < self.saddle.rank() && saddle.defect().is_none() {
@@ -291,7 +292,7 @@ where
     #[cold]
     #[inline(never)]
     fn is_blurred(&self, system: &S) -> bool {
-        let lack = self.residuals.rates.map(|value| -value);
+        let lack = self.residuals.rates.each(|value| -value);
         let (change, _) = self.saddle.solve(&[num_traits::Zero::zero(); N], &lack);
         let roundings = S::Scalar::from_f64(ULPS) * self.metric.extent(&self.turned(system));
         let half = S::Scalar::epsilon().sqrt() * self.extent(Level::Velocities);
@@ -309,11 +310,11 @@ where
         let none = [num_traits::Zero::zero(); N];
         let (_, response) = saddle.solve(&none, &here.position_sizes);
         let ulp = S::Scalar::epsilon();
-        let roundings = core::array::from_fn(|c| ulp * here.position_sizes[c] * response[c].signum());
+        let roundings = array(|c| ulp * here.position_sizes[c] * response[c].signum());
         let (change, _) = saddle.solve(&none, &roundings);
         let there = moved(&self.state, &change, &none, num_traits::One::one());
         let rates = system.residuals_at(there.t, &there.q, &there.v).rates;
-        saddle.solve(&none, &core::array::from_fn(|c| rates[c] - here.rates[c])).0
+        saddle.solve(&none, &array(|c| rates[c] - here.rates[c])).0
     }
 
     /// A corrected state, its residuals and the share of the correction that was taken. For a rough start the
@@ -361,7 +362,7 @@ where
     #[inline(never)]
     fn is_within(&self, level: Level, begun: S::Scalar, part: S::Scalar) -> bool {
         let size = begun.max(self.extent(level));
-        let by_state = self.slopes.map(|slope| slope * size);
+        let by_state = self.slopes.each(|slope| slope * size);
         self.residuals.is_within_apart(level, part, &by_state)
     }
 

@@ -5,6 +5,7 @@ use core::cell::Cell;
 use super::{Equations, Footing, Residuals, Surface};
 use crate::integrator::Dop853;
 use crate::linear::Saddle;
+use crate::number::elements::Each;
 use crate::system::System;
 use crate::system::error::Cause;
 use crate::system::state::State;
@@ -87,7 +88,7 @@ impl Surface<2, 0, 2> for Twofold {
     fn saddle_at(&self, _: f64, q: &[f64; 2], _: &[f64; 2]) -> (Self::Saddle, [[f64; 2]; 2]) {
         self.factored.set(self.factored.get() + 1);
         let length = q[0].hypot(q[1]);
-        let gradients = [q.map(|x| x / length), q.map(|x| 2.0 * x)];
+        let gradients = [q.each(|x| x / length), q.each(|x| 2.0 * x)];
         (Saddle::factor(&[[1.0, 0.0], [0.0, 1.0]], &gradients), gradients)
     }
 }

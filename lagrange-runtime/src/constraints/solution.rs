@@ -5,6 +5,7 @@ use num_traits::{One, Zero};
 
 use super::{Balance, Surface, sound, stages};
 use crate::linear::{Defect, Gradients, Independence, SaddlePoint};
+use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::diagnose;
 use crate::system::error::{Cause, MotionError};
@@ -79,7 +80,7 @@ where
     let has_value = |row: &[S::Scalar; N]| row.iter().all(|x| x.is_finite());
     let size = state.q.iter().fold(S::Scalar::zero(), |most, q| most.max(q.abs()));
     let way = if size.is_positive() { S::Scalar::epsilon().sqrt() * size } else { S::Scalar::one() };
-    let beside = state.q.map(|q| q + way);
+    let beside = state.q.each(|q| q + way);
     let there = system.saddle_at(state.t, &beside, &state.v).1.rows();
     gradients.rows().iter().zip(&there).position(|(here, there)| !has_value(here) && has_value(there))
 }

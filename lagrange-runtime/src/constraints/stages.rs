@@ -6,6 +6,7 @@ use super::retraction::{From, Retraction};
 use super::start::contradiction;
 use super::{Balance, Equations, Factors, Metric, Surface, moved, project};
 use crate::linear::{CLEAR, Independence, SaddlePoint, determined};
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::name::Name;
@@ -256,11 +257,11 @@ where
         };
         let sum = |near: f64| {
             let (a, b) = (at(-near)?, at(near)?);
-            Some(core::array::from_fn::<_, N, _>(|i| a[i] + b[i]))
+            Some(array::<_, N>(|i| a[i] + b[i]))
         };
         let (a, b, c) = (sum(1.0)?, sum(2.0)?, sum(3.0)?);
-        let weights = [0.75, -0.3, 0.05].map(number);
-        Some(core::array::from_fn(|i| weights[0] * a[i] + weights[1] * b[i] + weights[2] * c[i]))
+        let weights = [0.75, -0.3, 0.05].each(number);
+        Some(array(|i| weights[0] * a[i] + weights[1] * b[i] + weights[2] * c[i]))
     })
 }
 

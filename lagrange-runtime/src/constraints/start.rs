@@ -5,6 +5,7 @@ use super::retraction::{From, Retraction, project, slopes};
 use super::solution::regular_at;
 use super::{Residuals, Surface};
 use crate::linear::SaddlePoint;
+use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::error::{Cause, MotionError};
 use crate::system::state::State;
@@ -38,7 +39,7 @@ where
     let last_digits = last_digits(system, start, &residuals);
     let ulps = S::Scalar::from_f64(ULPS) * S::Scalar::epsilon();
     let is_off = |level| !residuals.is_within_apart(level, ulps, last_digits.sizes(level));
-    let levels = [Level::Positions, Level::Velocities].map(|level| (level, is_off(level)));
+    let levels = [Level::Positions, Level::Velocities].each(|level| (level, is_off(level)));
     for (level, is_off) in levels {
         if is_off {
             // Where no state satisfies all constraints, another start does not help.
@@ -128,7 +129,7 @@ where
     let numbers = if level == Level::Positions { &state.q } else { &state.v };
     // A constraint such as z = 0 has no size of its own: the state has, in its numbers and in the kinetic
     // metric.
-    let by_state = slopes.map(|slope| slope * metric.extent(numbers));
+    let by_state = slopes.each(|slope| slope * metric.extent(numbers));
     let is_small = || {
         let (change, _) = saddle.solve(&[num_traits::Zero::zero(); N], residuals.values(level));
         let largest = |values: &[S::Scalar; N]| {

@@ -2,6 +2,7 @@
 
 use super::Surface;
 use crate::linear::{Gradients, SaddlePoint};
+use crate::number::elements::array;
 use crate::system::state::State;
 
 /// The part of a change of coordinates or velocities along the constraints: the change less the smallest one,
@@ -17,5 +18,5 @@ where
 {
     let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
     let (normal, _) = saddle.solve(&[num_traits::Zero::zero(); N], &gradients.rates(change));
-    core::array::from_fn(|i| change[i] - normal[i])
+    array(|i| change[i] - normal[i])
 }

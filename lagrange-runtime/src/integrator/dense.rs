@@ -9,6 +9,7 @@ use super::Field;
 use super::dop853::Dop853Memory;
 use super::slopes::{Slope, combine, reach};
 use super::tableau::dop853::{A, C, D, STAGES, STAGES_DENSE};
+use crate::number::elements::Each;
 use crate::number::real::Ordered;
 use crate::system::error::Cause;
 use crate::system::state::State;
@@ -88,7 +89,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         macro_rules! moments {
             ($($i:literal)*) => {$(
                 let sum = combine::<R, N, STAGES_DENSE, _, _>(&D[$i], &slopes);
-                coefficients[$i + 3] = Slope { q: sum.q.map(|x| h * x), v: sum.v.map(|x| h * x) };
+                coefficients[$i + 3] = Slope { q: sum.q.each(|x| h * x), v: sum.v.each(|x| h * x) };
             )*};
         }
         moments!(0 1 2 3);

@@ -14,6 +14,7 @@ mod stages;
 
 use super::FixedStep;
 use super::tableau::gauss::{Collocation, GAUSS4, GAUSS6, GAUSS8};
+use crate::number::elements::Each;
 use crate::number::real::{Ordered, Real};
 use crate::system::diagnose;
 use crate::system::error::Cause;
@@ -94,7 +95,7 @@ impl<R: Ordered, const N: usize, const K: usize, const STAGES: usize> LastStep<R
             }
             sum
         };
-        Some(c.map(|node| at(R::one() + R::from_f64(node) * ratio)))
+        Some(c.each(|node| at(R::one() + R::from_f64(node) * ratio)))
     }
 }
 

@@ -11,6 +11,7 @@ mod backward;
 
 use super::FixedStep;
 use super::dop853::add;
+use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::smooth::{Series, Smooth};
@@ -103,7 +104,7 @@ pub(super) fn is_sound<R: Real, const N: usize, const P: usize>(
 ) -> bool {
     let here = &series.independence;
     let largest = |row: &[R; N]| row.iter().fold(R::zero(), |all, x| all.max(x.abs()));
-    let known = [&at.q, &at.v].map(|x| R::epsilon() * largest(x));
+    let known = [&at.q, &at.v].each(|x| R::epsilon() * largest(x));
     (here.rank < here.rows || here.is_determined()) && falls(series, known, largest)
 }
 

@@ -16,6 +16,7 @@ pub(crate) mod energy;
 use super::step_size;
 use crate::constraints::Footing;
 use crate::linear::{Independence, determined};
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::system::System;
 use crate::system::error::Cause;
@@ -84,7 +85,7 @@ struct Defect<R, const N: usize> {
 
 impl<R: Ordered, const N: usize> Defect<R, N> {
     fn between(slopes: &[R; N], found: &[R; N]) -> Self {
-        let strongest = core::array::from_fn(|i| larger(slopes[i].abs(), found[i].abs()));
+        let strongest = array(|i| larger(slopes[i].abs(), found[i].abs()));
         Self { difference: difference(found, slopes), strongest }
     }
 }
@@ -217,7 +218,7 @@ where
         footing: &Footing<S::Scalar, N>,
     ) -> bool {
         let half = S::Scalar::epsilon().sqrt();
-        is_within(change, footing, self.sizes(self.from, span.abs(), footing).of.map(|size| half * size))
+        is_within(change, footing, self.sizes(self.from, span.abs(), footing).of.each(|size| half * size))
     }
 
     /// The sizes of coordinates and velocities in a step.
@@ -294,7 +295,7 @@ where
         let is_across = || {
             let relative = relative(self.limits);
             let share = if is_regular { relative } else { across(relative, &footing.independence) };
-            let [size, speed] = sizes.of.map(|size| share * size);
+            let [size, speed] = sizes.of.each(|size| share * size);
             is_within(&apart(reached, end), footing, [size + gained * span, speed + gained])
         };
         let obeys = |defect| self.obeys_with(&defect, landing, roundings);
@@ -317,7 +318,7 @@ where
         let along = |change: &[S::Scalar; N]| self.system.tangential_at(end, change);
         let error = State { q: along(&error.q), v: along(&error.v), ..*error };
         let margin = S::Scalar::from_f64(1.0 / MARGIN);
-        is_within(&error, footing, self.bounds(sizes).map(|bound| margin * bound))
+        is_within(&error, footing, self.bounds(sizes).each(|bound| margin * bound))
     }
 
     fn accelerations(&self, state: &State<S::Scalar, N>) -> [S::Scalar; N] {
@@ -326,7 +327,7 @@ where
 
     /// The bounds of errors of coordinates and velocities.
     fn bounds(&self, sizes: &Sizes<S::Scalar>) -> [S::Scalar; 2] {
-        sizes.of.map(|size| self.bound(size, sizes.absolute))
+        sizes.of.each(|size| self.bound(size, sizes.absolute))
     }
 
     /// The bound of an error of a quantity of this size.

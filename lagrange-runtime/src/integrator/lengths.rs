@@ -2,6 +2,7 @@
 
 use super::landing::{Check, Determined, Landing};
 use crate::linear::{Independence, determined};
+use crate::number::elements::Each;
 use crate::number::real::{Ordered, larger, smaller};
 use crate::system::System;
 use crate::system::error::Cause;
@@ -169,7 +170,7 @@ impl<R: Ordered> Lengths<R> {
             Outcome::Wrong => {}
         }
         // A table of scalars, so that none is converted at run time.
-        let parts = PARTS.map(R::from_f64);
+        let parts = PARTS.each(R::from_f64);
         if let Some(&part) = parts.get(self.tried) {
             self.tried += 1;
             return Next::Try(part * self.base);

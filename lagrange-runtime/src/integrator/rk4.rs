@@ -8,6 +8,7 @@ use core::array;
 
 use super::FixedStep;
 use super::tableau::rk4::{B, C, REST};
+use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::System;
 use crate::system::error::Cause;
@@ -36,9 +37,9 @@ impl<S: System<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Rk4
         let mut slope_v = system.accelerations_at(constants, from.t, &from.q, &from.v, u);
         // The conversion is outside of the loop, so that the compiler makes it once.
         let [first, weights @ ..]: [_; 4] = array::from_fn(|i| S::Scalar::from_parts(B[i], REST[i]));
-        let [_, nodes @ ..] = C.map(S::Scalar::from_f64);
-        let mut sum_q = slope_q.map(|x| first * x);
-        let mut sum_v = slope_v.map(|x| first * x);
+        let [_, nodes @ ..] = C.each(S::Scalar::from_f64);
+        let mut sum_q = slope_q.each(|x| first * x);
+        let mut sum_v = slope_v.each(|x| first * x);
         for (node, weight) in nodes.into_iter().zip(weights) {
             let reach = node * h;
             let mut q = from.q;

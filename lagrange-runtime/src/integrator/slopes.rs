@@ -1,5 +1,6 @@
 //! Slopes of Runge–Kutta stages and their weighted sums.
 
+use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::state::State;
 
@@ -17,7 +18,7 @@ pub(crate) fn combine<R: Real, const N: usize, const M: usize, const W: usize, c
     slopes: &[Slope<R, N>; L],
 ) -> Slope<R, N> {
     let first = R::from_f64(weights[0]);
-    let mut sum = Slope { q: slopes[0].q.map(|x| first * x), v: slopes[0].v.map(|x| first * x) };
+    let mut sum = Slope { q: slopes[0].q.each(|x| first * x), v: slopes[0].v.each(|x| first * x) };
     // The sum is written out, because LLVM does not unroll a loop over the stages, nor remove its tests of
     // constants.
     macro_rules! terms {

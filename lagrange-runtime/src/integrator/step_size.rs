@@ -6,6 +6,7 @@
 
 use core::cmp::Ordering;
 
+use crate::number::elements::Each;
 use crate::number::real::{Ordered, larger};
 
 /// Whether a length is not above the resolution of time; true for NaN.
@@ -25,7 +26,7 @@ pub(crate) fn smallest<R: Ordered>() -> R {
 #[inline]
 pub(crate) fn least<R: Ordered>() -> R {
     let is_usable = |x: R| x.is_positive() && x.recip().is_finite();
-    let [least, narrow] = [1e-290, 1e-37].map(R::from_f64);
+    let [least, narrow] = [1e-290, 1e-37].each(R::from_f64);
     if is_usable(least) {
         least
     } else if is_usable(narrow) {

@@ -6,6 +6,7 @@
 
 use core::ops::{Add, Mul, Sub};
 
+use crate::number::elements::{Each, array};
 use crate::number::real::Ordered;
 
 /// re + i im.
@@ -85,7 +86,7 @@ impl<R: Ordered, const N: usize> ComplexLu<R, N> {
     pub(crate) fn factor(matrix: [[Complex<R>; N]; N]) -> Self {
         let mut factor = matrix;
         let mut inverse = [Complex { re: R::zero(), im: R::zero() }; N];
-        let mut order = core::array::from_fn(|i| i);
+        let mut order = array(|i| i);
         for k in 0..N {
             let mut best = k;
             for i in k + 1..N {
@@ -111,7 +112,7 @@ impl<R: Ordered, const N: usize> ComplexLu<R, N> {
     /// x with M x = `b`.
     #[inline]
     pub(crate) fn solve(&self, b: &[Complex<R>; N]) -> [Complex<R>; N] {
-        let mut x = self.order.map(|row| b[row]);
+        let mut x = self.order.each(|row| b[row]);
         for i in 0..N {
             for k in 0..i {
                 x[i] = x[i] - self.factor[i][k] * x[k];

@@ -1,6 +1,7 @@
 //! The gradients of constraints as a matrix A, a row each: whole, or without the entries that are always
 //! zero.
 
+use crate::number::elements::Each;
 use crate::number::real::Real;
 
 /// The structure of a sparse A, and of the factors of A M⁻¹ Aᵀ with a diagonal M, as it is known at
@@ -41,13 +42,13 @@ pub trait Gradients<R, const N: usize, const C: usize> {
 impl<R: Real, const N: usize, const C: usize> Gradients<R, N, C> for [[R; N]; C] {
     #[inline(always)]
     fn rates(&self, x: &[R; N]) -> [R; C] {
-        self.each_ref().map(|row| row.iter().zip(x).fold(R::zero(), |sum, (&a, &x)| R::mul_add(a, x, sum)))
+        self.each_ref().each(|row| row.iter().zip(x).fold(R::zero(), |sum, (&a, &x)| R::mul_add(a, x, sum)))
     }
 
     #[inline(always)]
     fn slopes(&self, x: &[R; N]) -> [R; C] {
         let add = |sum, (a, &x): (&R, &R)| R::mul_add(a.abs(), x, sum);
-        self.each_ref().map(|row| row.iter().zip(x).fold(R::zero(), add))
+        self.each_ref().each(|row| row.iter().zip(x).fold(R::zero(), add))
     }
 
     #[inline]

@@ -5,6 +5,7 @@
 //! (Higham, ch. 9). For the indefinite ∂²L/∂v² of a Lagrangian given directly; use [`Ldlt`](super::Ldlt)
 //! where M is definite.
 
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 
 /// The factors of a regular matrix.
@@ -28,7 +29,7 @@ impl<R: Real, const N: usize> Lu<R, N> {
     pub fn factor(matrix: [[R; N]; N]) -> Result<Self, usize> {
         let mut factor = matrix;
         let mut inverse = [R::zero(); N];
-        let mut order = core::array::from_fn(|i| i);
+        let mut order = array(|i| i);
         let ulps = R::from_f64(2.0 * N as f64) * R::epsilon();
         for k in 0..N {
             let mut best = k;
@@ -72,7 +73,7 @@ impl<R: Real, const N: usize> Lu<R, N> {
     #[inline]
     #[must_use]
     pub fn solve(&self, b: [R; N]) -> [R; N] {
-        let mut x = self.order.map(|row| b.get(row).copied().unwrap_or(R::zero()));
+        let mut x = self.order.each(|row| b.get(row).copied().unwrap_or(R::zero()));
         for i in 0..N {
             for k in 0..i {
                 x[i] -= self.factor[i][k] * x[k];

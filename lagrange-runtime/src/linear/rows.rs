@@ -5,6 +5,7 @@
 //! Dynamics Algorithms*, section 6.3). All columns are solved for side by side, in vectors of a row: what one
 //! waits for the others do not, and nothing is put in another order before.
 
+use crate::number::elements::array;
 use crate::number::real::Real;
 
 /// The longest vectors of doubles.
@@ -61,7 +62,7 @@ impl<R: Real, const N: usize> Rows<R, N> {
     #[must_use]
     pub fn factor(&mut self) -> bool {
         (self.rows.counts, self.columns.counts) = ([0; N], [0; N]);
-        let diagonal: [R; N] = core::array::from_fn(|k| self.factor[k][k]);
+        let diagonal: [R; N] = array(|k| self.factor[k][k]);
         let mut threshold = R::zero();
         let ulps = R::epsilon() + R::epsilon();
         for k in (0..N).rev() {

@@ -1,5 +1,7 @@
 //! Random matrices and the backward error, for the tests of the factorisations.
 
+use crate::number::elements::array;
+
 /// A reproducible source of numbers in (−1, 1): a 64-bit linear congruential generator.
 pub(crate) struct Noise(pub u64);
 
@@ -10,11 +12,11 @@ impl Noise {
     }
 
     pub(crate) fn vector<const N: usize>(&mut self) -> [f64; N] {
-        core::array::from_fn(|_| self.number())
+        array(|_| self.number())
     }
 
     pub(crate) fn matrix<const N: usize>(&mut self) -> [[f64; N]; N] {
-        core::array::from_fn(|_| self.vector())
+        array(|_| self.vector())
     }
 }
 

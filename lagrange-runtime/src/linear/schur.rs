@@ -6,6 +6,7 @@
 //! factorisation that reveals their rank, and the inverse, or the generalised inverse that gives the shortest
 //! solution, is formed from that.
 
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 
 use super::Independence;
@@ -68,14 +69,14 @@ impl<R: Real, const C: usize> Schur<R, C> {
         let Some(mut this) = Self::decompose(lower) else {
             let this = if C == 1 { Self::single(lower) } else { Self::carefully(&system()) };
             if C <= SMALL {
-                *rows = this.factor.map(|row| add_product(&[R::zero(); K], rows, &row));
+                *rows = this.factor.each(|row| add_product(&[R::zero(); K], rows, &row));
             }
             return this;
         };
         if C <= SMALL {
             // The factors are used and not the inverse, whose rounding errors are larger.
             this.substitute(rows);
-            let mut inverse = core::array::from_fn(unit);
+            let mut inverse = array(unit);
             this.substitute(&mut inverse);
             (this.factor, this.inverted) = (inverse, true);
         }
@@ -137,7 +138,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
     #[inline(never)]
     pub(super) fn carefully<const N: usize>((inverse_masses, a): &([R; N], [[R; N]; C])) -> Self {
         let mut rows = *a;
-        let units = inverse_masses.map(R::sqrt);
+        let units = inverse_masses.each(R::sqrt);
         for row in &mut rows {
             multiply(row, &units);
         }

@@ -5,6 +5,7 @@
 //! J. Demmel and K. Veselić, SIAM J. Matrix Anal. Appl. 13 (1992) 1204).
 
 use crate::linear::stored::Stored;
+use crate::number::elements::array;
 use crate::number::real::{Ordered, Real, larger};
 
 /// Sweeps over all pairs; quadratic convergence needs some six to ten.
@@ -26,7 +27,7 @@ impl<R: Ordered, const N: usize> SingularValues<R, N> {
     pub fn new(rows: &[[R; N]; N]) -> Self {
         let (mut left, mut right) = (Stored::<[[R; N]; N]>::zeros(), Stored::<[[R; N]; N]>::zeros());
         for (j, column) in left.iter_mut().enumerate() {
-            *column = core::array::from_fn(|i| rows[i][j]);
+            *column = array(|i| rows[i][j]);
         }
         for (i, row) in right.iter_mut().enumerate() {
             row[i] = R::one();
@@ -42,7 +43,7 @@ impl<R: Ordered, const N: usize> SingularValues<R, N> {
                 break;
             }
         }
-        let squares = core::array::from_fn(|i| dot(&left[i], &left[i]));
+        let squares = array(|i| dot(&left[i], &left[i]));
         Self { left, right, squares }
     }
 
@@ -112,8 +113,8 @@ fn orthogonalise<R: Ordered, const N: usize>(
     let sine = cosine * tangent;
     for rows in [left, right] {
         let (a, b) = (rows[i], rows[j]);
-        rows[i] = core::array::from_fn(|k| cosine * a[k] - sine * b[k]);
-        rows[j] = core::array::from_fn(|k| sine * a[k] + cosine * b[k]);
+        rows[i] = array(|k| cosine * a[k] - sine * b[k]);
+        rows[j] = array(|k| sine * a[k] + cosine * b[k]);
     }
     true
 }

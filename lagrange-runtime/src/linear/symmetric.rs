@@ -4,6 +4,7 @@
 //! converge quadratically (Golub and Van Loan, "Matrix Computations", 4th ed., § 8.5). Nothing is stored but
 //! the matrix and the product of the rotations.
 
+use crate::number::elements::array;
 use crate::number::real::{Ordered, larger};
 
 /// Sweeps over all pairs; quadratic convergence needs some six to ten.
@@ -18,7 +19,7 @@ pub(crate) fn diagonalise<R: Ordered, const N: usize>(
 ) {
     let count = count.min(N);
     for (i, row) in vectors.iter_mut().enumerate() {
-        *row = core::array::from_fn(|j| if i == j { R::one() } else { R::zero() });
+        *row = array(|j| if i == j { R::one() } else { R::zero() });
     }
     let most = matrix.iter().flatten().fold(R::zero(), |most, x| larger(x.abs(), most));
     // An entry that turns no eigenvalue by a rounding of it, or by a rounding of a rounding of the largest.
@@ -62,8 +63,8 @@ fn rotate<R: Ordered, const N: usize>(
     }
     for rows in [&mut *matrix, vectors] {
         let (x, y) = (rows[i], rows[j]);
-        rows[i] = core::array::from_fn(|k| cosine * x[k] - sine * y[k]);
-        rows[j] = core::array::from_fn(|k| sine * x[k] + cosine * y[k]);
+        rows[i] = array(|k| cosine * x[k] - sine * y[k]);
+        rows[j] = array(|k| sine * x[k] + cosine * y[k]);
     }
     // By the closed form, which loses no digits.
     matrix[i][i] = a - tangent * between;

@@ -10,6 +10,7 @@ pub mod relay;
 
 use crate::integrator::jets::probe::{self, Probe};
 use crate::integrator::jets::{NEAR, STEEPEST, last_term, orders};
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::series::HIGHEST;
 use crate::system::attitude;
@@ -295,7 +296,7 @@ fn tolerated<S: Smooth<N, K>, const N: usize, const K: usize>(
     let mut worst = S::Scalar::epsilon().powi(4);
     let mut weigh = |x: &[S::Scalar; N], rows: &[[S::Scalar; N]; HIGHEST], part: usize, least: S::Scalar| {
         let row =
-            |k: usize| rows.get(k).map_or([num_traits::Zero::zero(); N], |row| row.map(|x| x.part(part)));
+            |k: usize| rows.get(k).map_or([num_traits::Zero::zero(); N], |row| row.each(|x| x.part(part)));
         let (first, second) = (row(0), row(1));
         let mut terms: [S::Scalar; N] = [num_traits::Zero::zero(); N];
         for order in orders / 2..orders.saturating_sub(2) {
@@ -305,9 +306,8 @@ fn tolerated<S: Smooth<N, K>, const N: usize, const K: usize>(
             }
         }
         let (before, last) = (row(orders - 2), row(orders - 1));
-        let mut sizes: [S::Scalar; N] = core::array::from_fn(|i| {
-            x[i].part(part).abs().max(first[i].abs() * span).max(second[i].abs() * span * span)
-        });
+        let mut sizes: [S::Scalar; N] =
+            array(|i| x[i].part(part).abs().max(first[i].abs() * span).max(second[i].abs() * span * span));
         for &first in S::ORIENTATIONS {
             attitude::share(&mut sizes, first, least);
         }

@@ -299,7 +299,7 @@ mod tests {
         for error in [0.1, 1.0, 1.9] {
             let furthest = 3.0 / (2.0 - error) - 1.5;
             let bound = over(error).error;
-            assert!(bound >= furthest && bound <= furthest * (1.0 + 1e-9), "{error}: {bound} {furthest}");
+            assert!((bound / furthest - 1.0).abs() < 1e-12, "{error}: {bound} {furthest}");
         }
         for error in [2.0, 3.0] {
             assert_eq!(over(error).error, f64::INFINITY);

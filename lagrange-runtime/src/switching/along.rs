@@ -17,6 +17,7 @@ use super::reactions::Borne;
 use super::scene::above;
 use super::{Functions, Switching};
 use crate::motion::roots::{Before, Fall, Kind, Side, Zero, clear, falls, reach, stays_above};
+use crate::number::elements::Each;
 use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::number::rounded::Rounded;
 use crate::series::taylor::Taylor;
@@ -200,7 +201,7 @@ where
                 }
                 let before = if from == zero { *before } else { Before::Unknown };
                 if let Some(fall) = falls(&part, before) {
-                    let [place, fallen] = [fall.place, fall.fallen].map(|place| from + place * width);
+                    let [place, fallen] = [fall.place, fall.fallen].each(|place| from + place * width);
                     return Ok(Some(Fall { place, fallen }));
                 }
             }
@@ -243,7 +244,7 @@ where
             }
             // A series that converges to something else, as that of the distance from a centre does behind
             // it, tells nothing about its reach.
-            let [nearer, further] = [NEARER, FURTHER].map(S::Scalar::from_f64);
+            let [nearer, further] = [NEARER, FURTHER].each(S::Scalar::from_f64);
             let reach = reach(&curve, course.order(), course.left);
             until *= if reach < num_traits::One::one() { larger(reach * nearer, further) } else { further };
         }

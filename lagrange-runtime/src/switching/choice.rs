@@ -12,6 +12,7 @@ use super::trials::{Options, Part, combine, regime};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::linear::SaddlePoint;
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::state::State;
@@ -129,7 +130,7 @@ where
         avoid: Option<usize>,
         decided: Option<usize>,
     ) -> [Options; C] {
-        core::array::from_fn(|row| {
+        array(|row| {
             let kind = S::ROWS[row];
             let options = match (kind, self.status[row]) {
                 (Row::Bilateral, _) if decided == Some(row) => {
@@ -201,7 +202,7 @@ where
         if !numbers.all(|x| x.is_finite()) {
             return None;
         }
-        let mut forces = equations.forces.map(|force: S::Scalar| force.abs());
+        let mut forces = equations.forces.each(|force: S::Scalar| force.abs());
         for (row, gradient) in self.gradients.iter().enumerate() {
             // A friction of given size is among the forces, and may balance the others.
             let given = match S::ROWS.get(row) {
@@ -217,8 +218,7 @@ where
             }
         }
         let units = equations.saddle.units();
-        let accelerations =
-            core::array::from_fn(|i| balance.accelerations[i].abs() + forces[i] * units[i] * units[i]);
+        let accelerations = array(|i| balance.accelerations[i].abs() + forces[i] * units[i] * units[i]);
         Some((balance, Sizes { forces, accelerations }))
     }
 
@@ -367,7 +367,7 @@ pub(super) fn is_limit<const C: usize>(rows: &[Row; C], row: usize) -> bool {
 /// The sides of kinks at a state. The side of a switching function that is zero is not known, and taken as
 /// above.
 pub(super) fn sides<R: Real, const W: usize>(kinks: &[R; W], present: &[R; W], sizes: &[R; W]) -> [R; W] {
-    core::array::from_fn(|kink| {
+    array(|kink| {
         if !above(kinks[kink].abs(), rounding::<R>() * sizes[kink]) {
             present[kink]
         } else if kinks[kink].is_positive() {

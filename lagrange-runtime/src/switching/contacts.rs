@@ -2,6 +2,7 @@
 
 use super::{Hybrid, Row, Switching};
 use crate::motion::simulation::Simulation;
+use crate::number::elements::array;
 use crate::number::real::Ordered;
 use crate::system::control::Held;
 use crate::system::error::MotionError;
@@ -56,7 +57,7 @@ where
         let is_active = |row: usize| regime.active.get(row).copied().unwrap_or(false);
         let zero = num_traits::Zero::zero();
         let slips = |row: usize| regime.slip.get(row).is_some_and(|&slip| slip != zero);
-        core::array::from_fn(|row| match S::ROWS[row] {
+        array(|row| match S::ROWS[row] {
             Row::Bilateral | Row::Load => Contact::Holds,
             Row::Unilateral if is_active(row) => Contact::Closed,
             Row::Unilateral => Contact::Open,

@@ -1,6 +1,7 @@
 //! A step that is a polynomial.
 
 use super::Along;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, larger};
 use crate::series::taylor::{TERMS, Taylor, powers};
 use crate::system::method::Terms;
@@ -61,7 +62,8 @@ impl<'a, R: Ordered, const N: usize> Course<'a, R, N> {
     /// The step with these terms, of a motion with this tolerance, whose series follows so many functions.
     /// Terms that are zero from some order on, as in a free flight, are left out.
     pub(super) fn new(terms: Terms<'a, R, N>, relative: R, followed: usize) -> Self {
-        let rows = [terms.q, terms.v].map(|rows| known(rows, 1, |row| row.iter().all(|term| term.is_zero())));
+        let rows =
+            [terms.q, terms.v].each(|rows| known(rows, 1, |row| row.iter().all(|term| term.is_zero())));
         let functions = known(terms.functions, followed, |term| term.is_zero());
         let left = larger(relative, terms.left).part(0);
         Self { terms: Terms { functions, ..terms }, rows, powers: powers(terms.length), left }
@@ -86,8 +88,8 @@ impl<'a, R: Ordered, const N: usize> Course<'a, R, N> {
                 }
             }
             [
-                core::array::from_fn(|i| R::mul_add(gains[0][i], theta, numbers[i])),
-                core::array::from_fn(|i| R::mul_add(gains[1][i], size, numbers[i].abs())),
+                array(|i| R::mul_add(gains[0][i], theta, numbers[i])),
+                array(|i| R::mul_add(gains[1][i], size, numbers[i].abs())),
             ]
         };
         let ([q, of_q], [v, of_v]) = (sums(&start.q, rows[0]), sums(&start.v, rows[1]));

@@ -6,6 +6,7 @@ mod watch;
 use super::scene::{Scales, most, rounding};
 use super::{Functions, Regime, Row, Switching};
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved};
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::number::rounded::Rounded;
 use crate::system::error::Cause;
@@ -124,7 +125,7 @@ where
         t: T,
         [q, v]: [&[T; N]; 2],
     ) -> Parts<T, C, W> {
-        let u = self.inputs.map(number);
+        let u = self.inputs.each(number);
         let functions = S::functions_in(self.in_regime, number, t, q, v, &u, &self.wanted());
         let backward = S::backward_in(self.in_regime, number, t, q, v, &u).unwrap_or(functions.fixed);
         Parts { functions, backward }
@@ -194,7 +195,7 @@ where
         reactions: &[Rounded<S::Scalar>; C],
     ) -> Functions<Rounded<S::Scalar>, C, W> {
         let rounded = |numbers: &[S::Scalar; N], errors: &[S::Scalar; N]| {
-            core::array::from_fn(|i| Rounded { value: numbers[i], error: errors[i] })
+            array(|i| Rounded { value: numbers[i], error: errors[i] })
         };
         let (q, v) = (rounded(&state.q, &errors.q), rounded(&state.v, &errors.v));
         let t = Rounded { value: state.t, error: errors.t };
@@ -207,16 +208,14 @@ where
         state: &State<S::Scalar, N>,
         sizes: &State<S::Scalar, N>,
     ) -> Functions<Rounded<S::Scalar>, C, W> {
-        let ulps = |sizes: &[S::Scalar; N]| sizes.map(|size| S::Scalar::epsilon() * size.abs());
+        let ulps = |sizes: &[S::Scalar; N]| sizes.each(|size| S::Scalar::epsilon() * size.abs());
         let t = S::Scalar::epsilon() * sizes.t.abs();
         let errors = State { t, q: ulps(&sizes.q), v: ulps(&sizes.v) };
         let mut reactions = [Rounded::exact(num_traits::Zero::zero()); C];
         if self.has_reactions() {
             let [multipliers, sizes] = self.multipliers(state);
-            reactions = core::array::from_fn(|row| Rounded {
-                value: multipliers[row],
-                error: S::Scalar::epsilon() * sizes[row],
-            });
+            reactions =
+                array(|row| Rounded { value: multipliers[row], error: S::Scalar::epsilon() * sizes[row] });
         }
         self.rounded(state, &errors, &reactions)
     }
@@ -330,7 +329,7 @@ where
     /// The delay of a time after the zero of a guard that the rounding of time has made, from values of the
     /// guard there and a little earlier.
     pub(super) fn late(&self, guard: Guard, [earlier, there]: [&State<S::Scalar, N>; 2]) -> S::Scalar {
-        let [before, value] = [earlier, there].map(|state| self.values(state).get(guard).0);
+        let [before, value] = [earlier, there].each(|state| self.values(state).get(guard).0);
         let late = value / (value - before) * (there.t - earlier.t);
         let ulps = S::Scalar::from_f64(4.0) * S::Scalar::epsilon() * there.t.abs();
         if late.abs() <= ulps { late } else { num_traits::Zero::zero() }
@@ -393,7 +392,7 @@ where
 /// many such parts.
 #[cold]
 pub(super) fn is_clear<R: Ordered>(mut value: impl FnMut(R) -> R) -> bool {
-    let values = [0.0, 0.25, 0.5, 0.75, 1.0].map(|place| value(R::from_f64(place)));
+    let values = [0.0, 0.25, 0.5, 0.75, 1.0].each(|place| value(R::from_f64(place)));
     let least = values.into_iter().fold(values[0], smaller);
     let most = values.into_iter().fold(values[0], larger);
     least > R::from_f64(64.0) * (most - least) && values.iter().all(|value| value.is_finite())

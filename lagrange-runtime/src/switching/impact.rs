@@ -22,6 +22,7 @@ use super::trials::{Options, Part, combine, regime};
 use super::turning::{TURNS, Turning, pairs};
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::state::State;
@@ -87,30 +88,28 @@ where
                 }
             }
             let more = |x: S::Scalar| x + least * x;
-            Impulses { changes: plastic.changes.map(more), impulses: plastic.impulses.map(more), ..plastic }
+            Impulses { changes: plastic.changes.each(more), impulses: plastic.impulses.each(more), ..plastic }
         };
-        Ok((core::array::from_fn(|i| self.state.v[i] + strike.changes[i]), strike.impulses))
+        Ok((array(|i| self.state.v[i] + strike.changes[i]), strike.impulses))
     }
 
     /// The compression and the expansion of Poisson's law together.
     fn by_poisson(&self) -> Result<Impulses<S::Scalar, N, C>, Cause> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let compression = self.strike(&Demand::plastic())?;
-        let given = core::array::from_fn(|row| match S::ROWS[row] {
+        let given = array(|row| match S::ROWS[row] {
             Row::Unilateral if self.is_closed[row] => self.laws.restitution[row] * compression.impulses[row],
             _ => zero,
         });
-        let v = core::array::from_fn(|i| self.state.v[i] + compression.changes[i]);
+        let v = array(|i| self.state.v[i] + compression.changes[i]);
         let known = Known { closed: self.is_closed, fired: None, settled: true };
         let scales = Scales { speeds: self.speeds, ..Scales::new() };
         let state = State { v, ..self.state };
         let between = Scene::new(self.system, &state, self.inputs, self.kinks, &scales, &known);
         let expansion = between.strike(&Demand { given, ..Demand::plastic() })?;
         Ok(Impulses {
-            changes: core::array::from_fn(|i| compression.changes[i] + expansion.changes[i]),
-            impulses: core::array::from_fn(|row| {
-                compression.impulses[row] + given[row] + expansion.impulses[row]
-            }),
+            changes: array(|i| compression.changes[i] + expansion.changes[i]),
+            impulses: array(|row| compression.impulses[row] + given[row] + expansion.impulses[row]),
             active: expansion.active,
         })
     }
@@ -129,7 +128,7 @@ where
     }
 
     fn strike(&self, demand: &Demand<S::Scalar, C>) -> Result<Impulses<S::Scalar, N, C>, Cause> {
-        let options: [Options; C] = core::array::from_fn(|row| self.ways(row));
+        let options: [Options; C] = array(|row| self.ways(row));
         let fine: S::Scalar = rounding();
         let mut cause = Cause::NotFinite;
         for part in [fine, fine * fine.sqrt().sqrt().recip(), fine.sqrt() * S::Scalar::from_f64(0.1)] {
@@ -198,10 +197,10 @@ where
         demand: &Demand<S::Scalar, C>,
         part: S::Scalar,
     ) -> Option<Impulses<S::Scalar, N, C>> {
-        let driven = demand.given.map(|impulse| impulse.is_positive());
+        let driven = demand.given.each(|impulse| impulse.is_positive());
         let regime = regime(&S::ROWS, parts, options, &driven, self.kinks)?;
         let in_regime = self.system.in_regime(&regime);
-        let wanted = core::array::from_fn(|row| self.wanted(row, &demand.restitution));
+        let wanted = array(|row| self.wanted(row, &demand.restitution));
         let State { t, q, v } = &self.state;
         let solve = |in_regime: &S::InRegime, v: &[S::Scalar; N]| {
             let equations = S::equations_in(in_regime, *t, q, v, self.inputs)?;
@@ -211,7 +210,7 @@ where
             (is_finite && equations.saddle.vanishing().is_none()).then_some((changes, impulses))
         };
         let found = |(changes, impulses): ([S::Scalar; N], _)| {
-            let after = core::array::from_fn(|i| v[i] + changes[i]);
+            let after = array(|i| v[i] + changes[i]);
             let impulses = self.with_friction(&regime, impulses, &demand.given, &after);
             Impulses { changes, impulses, active: regime.active }
         };
@@ -230,8 +229,8 @@ where
         let mut changes = smooth;
         let mut turning = Turning::new();
         for _ in 0..TURNS {
-            let slips: [S::Scalar; C] = core::array::from_fn(|row| after(row, &changes));
-            let strike = solve(&in_regime, &core::array::from_fn(|i| v[i] + changes[i]))?;
+            let slips: [S::Scalar; C] = array(|row| after(row, &changes));
+            let strike = solve(&in_regime, &array(|i| v[i] + changes[i]))?;
             let (mut lacks, mut is_done) = ([zero; C], true);
             for [row, other] in pairs(&S::ROWS).filter(|[row, _]| turns(*row)) {
                 for row in [row, other] {
@@ -244,7 +243,7 @@ where
                 return Some(found(strike));
             }
             let share = turning.share(&slips, &lacks);
-            changes = core::array::from_fn(|i| changes[i] + share * (strike.0[i] - changes[i]));
+            changes = array(|i| changes[i] + share * (strike.0[i] - changes[i]));
         }
         None
     }
@@ -275,13 +274,13 @@ where
         demand: &Demand<S::Scalar, C>,
     ) -> Option<[S::Scalar; N]> {
         let rates = &self.laws.rows.rates;
-        let smooth = core::array::from_fn(|row| match S::ROWS[row] {
+        let smooth = array(|row| match S::ROWS[row] {
             Row::Friction { .. } => Part::Off,
             _ => parts[row],
         });
-        let bare = options.map(|_| Options::new(&[Part::Off]));
+        let bare = options.each(|_| Options::new(&[Part::Off]));
         let in_regime = self.system.in_regime(&regime(&S::ROWS, &smooth, &bare, &[false; C], self.kinks)?);
-        let wanted = core::array::from_fn(|row| match S::ROWS[row] {
+        let wanted = array(|row| match S::ROWS[row] {
             Row::Unilateral => -(rates[row] + demand.restitution[row] * rates[row]),
             _ => num_traits::Zero::zero(),
         });
@@ -302,7 +301,7 @@ where
     ) -> [S::Scalar; C] {
         let zero: S::Scalar = num_traits::Zero::zero();
         let rate = |row: usize| {
-            let change = core::array::from_fn(|i| after[i] - self.state.v[i]);
+            let change = array(|i| after[i] - self.state.v[i]);
             self.laws.rows.rates[row] + product(&self.gradients[row], &change)
         };
         for (row, kind) in S::ROWS.iter().enumerate() {

@@ -6,6 +6,7 @@ use super::turning::{TURNS, Turning, pairs};
 use super::{Regime, Switching};
 use crate::constraints::Balance;
 use crate::linear::SaddlePoint;
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::state::State;
 
@@ -33,7 +34,7 @@ where
             (stuck.active[row], stuck.active[other]) = (true, true);
         }
         let held = S::equations_in(&self.system.in_regime(&stuck), *t, q, v, self.inputs)?;
-        let mut slips = held.balance().multipliers.map(|force| -force);
+        let mut slips = held.balance().multipliers.each(|force| -force);
         let (mut turning, mut is_scaled) = (Turning::new(), false);
         let mut velocities = *v;
         for _ in 0..TURNS {
@@ -51,11 +52,11 @@ where
                 }
             }
             let (change, _) = held.saddle.solve(&[zero; N], &lack);
-            velocities = core::array::from_fn(|i| v[i] + change[i]);
+            velocities = array(|i| v[i] + change[i]);
             let (balance, sizes) = self.balance(regime, &velocities)?;
             let (mut lacks, mut is_done) = ([zero; C], true);
             for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
-                let rates = [row, other].map(|row| self.rate(row, &balance.accelerations));
+                let rates = [row, other].each(|row| self.rate(row, &balance.accelerations));
                 let speed = rates[0].hypot(rates[1]);
                 let noise = rounding::<S::Scalar>() * extent(&self.gradients[row], &sizes.accelerations);
                 // If nothing accelerates the slip, it takes the direction of the force that drives it.
@@ -74,7 +75,7 @@ where
             }
             is_scaled = true;
             let share = turning.share(&slips, &lacks);
-            slips = core::array::from_fn(|row| slips[row] + share * lacks[row]);
+            slips = array(|row| slips[row] + share * lacks[row]);
         }
         Some(velocities)
     }
@@ -91,9 +92,9 @@ where
     ) -> Option<S::Scalar> {
         let mut later = num_traits::Zero::zero();
         for rows in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
-            let [x, y] = rows.map(|row| self.laws.rows.rates[row] + self.change(row, velocities));
-            let [turn_x, turn_y] = rows.map(|row| self.rate(row, &balance.accelerations));
-            let [a, b] = rows.map(|row| extent(&self.gradients[row], &sizes.accelerations));
+            let [x, y] = rows.each(|row| self.laws.rows.rates[row] + self.change(row, velocities));
+            let [turn_x, turn_y] = rows.each(|row| self.rate(row, &balance.accelerations));
+            let [a, b] = rows.each(|row| extent(&self.gradients[row], &sizes.accelerations));
             let (speed, strength) = (turn_x.hypot(turn_y), most(a, b));
             let time = x.hypot(y) / speed;
             // The time scale of the motion as a whole is its speed over its acceleration.
@@ -108,7 +109,7 @@ where
 
     /// The change of the rate of a row by velocities.
     pub(super) fn change(&self, row: usize, velocities: &[S::Scalar; N]) -> S::Scalar {
-        let change = core::array::from_fn(|i| velocities[i] - self.state.v[i]);
+        let change = array(|i| velocities[i] - self.state.v[i]);
         self.gradients.get(row).map_or(num_traits::Zero::zero(), |gradient| product(gradient, &change))
     }
 }

@@ -36,6 +36,7 @@ mod turning;
 
 use crate::constraints::{Equations, Residuals};
 use crate::linear::{SaddlePoint, Switched, SwitchedRows};
+use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::System;
 use crate::system::name::Name;
@@ -285,7 +286,7 @@ impl<R: Real, const C: usize, const W: usize> Regime<R, C, W> {
     /// All contacts open, no friction that sticks or slips; every switching function positive.
     pub fn open(rows: &[Row; C]) -> Self {
         Self {
-            active: rows.map(|row| row == Row::Bilateral),
+            active: rows.each(|row| row == Row::Bilateral),
             slip: [R::zero(); C],
             side: [R::one(); C],
             kinks: [R::one(); W],

@@ -7,13 +7,14 @@
 
 use super::scene::{above, most, product, rounding};
 use crate::linear::Lu;
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 
 /// The y of the shortest x; `None` where no x is that near. Rows of zeros demand nothing.
 pub(super) fn nearest<R: Real, const C: usize>(rows: &[[R; C]; C], bounds: &[R; C]) -> Option<[R; C]> {
     let (zero, one) = (R::zero(), R::one());
     // Rows of unit length, and the largest of the bounds for a unit.
-    let scales = rows.each_ref().map(|row| {
+    let scales = rows.each_ref().each(|row| {
         let length = product(row, row).sqrt();
         if length.is_positive() { length.recip() } else { zero }
     });
@@ -21,10 +22,9 @@ pub(super) fn nearest<R: Real, const C: usize>(rows: &[[R; C]; C], bounds: &[R; 
     if !far.is_positive() {
         return Some([zero; C]);
     }
-    let asked: [R; C] = core::array::from_fn(|j| bounds[j] * scales[j] / far);
-    let gram: [[R; C]; C] = core::array::from_fn(|i| {
-        core::array::from_fn(|j| product(&rows[i], &rows[j]) * scales[i] * scales[j] + asked[i] * asked[j])
-    });
+    let asked: [R; C] = array(|j| bounds[j] * scales[j] / far);
+    let gram: [[R; C]; C] =
+        array(|i| array(|j| product(&rows[i], &rows[j]) * scales[i] * scales[j] + asked[i] * asked[j]));
     let (mut enters, mut u) = ([false; C], [zero; C]);
     // Each round makes the residual shorter, so none of the sets comes twice.
     for _ in 0..8 * C {
@@ -36,19 +36,19 @@ pub(super) fn nearest<R: Real, const C: usize>(rows: &[[R; C]; C], bounds: &[R; 
         });
         let Some((j, _)) = most_lacking.filter(|&(_, lack)| above(lack, rounding())) else {
             let rest = one - product(&asked, &u);
-            return above(rest, rounding()).then(|| core::array::from_fn(|j| u[j] / rest * far * scales[j]));
+            return above(rest, rounding()).then(|| array(|j| u[j] / rest * far * scales[j]));
         };
         enters[j] = true;
         // Goes back to where the first of them is zero, as long as one would be negative.
         while enters.contains(&true) {
-            let matrix = core::array::from_fn(|i| {
-                core::array::from_fn(|j| match (enters[i] && enters[j], i == j) {
+            let matrix = array(|i| {
+                array(|j| match (enters[i] && enters[j], i == j) {
                     (true, _) => gram[i][j],
                     (false, true) => one,
                     (false, false) => zero,
                 })
             });
-            let wanted = core::array::from_fn(|i| if enters[i] { asked[i] } else { zero });
+            let wanted = array(|i| if enters[i] { asked[i] } else { zero });
             let next = Lu::factor(matrix).ok()?.solve(wanted);
             let first = (0..C).filter(|&j| enters[j] && !next[j].is_positive());
             let first = first.fold(None, |first: Option<(usize, R)>, j| {

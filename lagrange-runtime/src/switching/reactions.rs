@@ -11,6 +11,7 @@ use super::scene::{against, entry, most, product, rounding};
 use super::{Regime, Row, Switching};
 use crate::constraints::{Balance, Equations};
 use crate::linear::{SaddlePoint, Switched};
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real};
 use crate::system::state::State;
 
@@ -37,21 +38,21 @@ type Reach<const N: usize, const C: usize> = [[bool; N]; C];
 
 impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
     fn new(gradients: &[[R; N]; C], units: [R; N]) -> Self {
-        Self { rows: gradients.map(|row| core::array::from_fn(|i| row[i] * units[i])), units }
+        Self { rows: gradients.each(|row| array(|i| row[i] * units[i])), units }
     }
 
     /// A row that drives friction may affect any coordinate through it.
     fn reach(&self, drives: impl Fn(usize) -> bool) -> Reach<N, C> {
-        let mut reach = core::array::from_fn(|row| {
+        let mut reach = array(|row| {
             let drives = drives(row);
-            self.rows[row].map(|entry| drives || entry != R::zero())
+            self.rows[row].each(|entry| drives || entry != R::zero())
         });
         for _ in 1..C {
             let last = reach;
             for own in &mut reach {
                 for other in &last {
                     if (0..N).any(|i| own[i] && other[i]) {
-                        *own = core::array::from_fn(|i| own[i] || other[i]);
+                        *own = array(|i| own[i] || other[i]);
                     }
                 }
             }
@@ -64,7 +65,7 @@ impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
 
     /// The sizes of forces with those of reactions.
     fn with(&self, reactions: &[R; C], forces: &[R; N]) -> [R; N] {
-        core::array::from_fn(|i| {
+        array(|i| {
             let borne = self.rows.iter().zip(reactions);
             borne.fold(forces[i], |sum, (row, &force)| sum + (row[i] * force).abs())
         })
@@ -75,7 +76,7 @@ impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
     /// the others.
     fn sizes(&self, reach: &Reach<N, C>, reactions: &[R; C], forces: &[R; N]) -> [R; C] {
         let forces = self.with(reactions, forces);
-        core::array::from_fn(|row| {
+        array(|row| {
             let lever = product(&self.rows[row], &self.rows[row]).sqrt();
             let met = forces.iter().zip(&reach[row]).filter(|(_, met)| **met);
             let force = met.fold(R::zero(), |sum, (&force, _)| sum + force);
@@ -140,7 +141,7 @@ where
     /// The sizes of forces at coordinates in these units, without reactions.
     fn sizes_of(&self, forces: &[S::Scalar; N], units: &[S::Scalar; N]) -> [S::Scalar; N] {
         let given = self.given();
-        core::array::from_fn(|i| (entry(forces, i).abs() + entry(&given, i)) * entry(units, i))
+        array(|i| (entry(forces, i).abs() + entry(&given, i)) * entry(units, i))
     }
 
     /// The multipliers at a state, and the forces at their rows that they are differences of.
@@ -174,7 +175,7 @@ where
         let rounding: S::Scalar = rounding();
         let time = course.time();
         let all = levers.with(&first.unwrap_or([zero; C]), &forces);
-        borne.roundings = core::array::from_fn(|i| {
+        borne.roundings = array(|i| {
             let gained = terms.v.first().map_or(zero, |row| (terms.length * row[i]).abs());
             rounding * (gained + time * all[i] * levers.units[i])
         });
@@ -186,7 +187,7 @@ where
         }
         let (mut sums, mut last) = ([zero; C], [[zero; C]; 2]);
         let paces =
-            levers.units.map(|unit| if unit.is_positive() { (terms.unit * unit).recip() } else { zero });
+            levers.units.each(|unit| if unit.is_positive() { (terms.unit * unit).recip() } else { zero });
         let mut place: S::Scalar = zero;
         for ((row, speeds), &power) in rows().zip(terms.v).zip(powers) {
             let size = power.abs();
@@ -195,7 +196,7 @@ where
             for (force, (&speed, &pace)) in forces.iter_mut().zip(speeds.iter().zip(&paces)) {
                 *force += size * (place * speed * pace).abs();
             }
-            let magnitudes = row.map(|reaction| size * reaction.abs());
+            let magnitudes = row.each(|reaction| size * reaction.abs());
             last = [last[1], magnitudes];
             for (sum, magnitude) in sums.iter_mut().zip(magnitudes) {
                 *sum += magnitude;
@@ -208,10 +209,10 @@ where
         {
             equations.saddle.bound_loads(&mut sizes);
         }
-        let left: [S::Scalar; C] = core::array::from_fn(|row| last[0][row] + last[1][row]);
+        let left: [S::Scalar; C] = array(|row| last[0][row] + last[1][row]);
         let share = course.left.sqrt();
         borne.is_known = (0..C).all(|row| left[row] <= share * sizes[row]);
-        borne.errors = core::array::from_fn(|row| rounding * sizes[row] + left[row]);
+        borne.errors = array(|row| rounding * sizes[row] + left[row]);
         borne
     }
 }

@@ -9,6 +9,7 @@ use super::impact::Struck;
 use super::scene::{Scales, Scene, Status, above, most};
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
+use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::state::State;
@@ -71,12 +72,11 @@ where
         let resolved = S::Scalar::from_f64(RESOLVED) * ulp;
         let tolerance = most(tolerance, S::Scalar::from_f64(16.0) * ulp);
         let rates = &self.laws.rows.rates;
-        let opens: [bool; C] =
-            core::array::from_fn(|row| self.is_closed[row] && self.status[row] == Status::Apart);
+        let opens: [bool; C] = array(|row| self.is_closed[row] && self.status[row] == Status::Apart);
         if !opens.contains(&true) {
             return None;
         }
-        let slow: [bool; C] = core::array::from_fn(|row| {
+        let slow: [bool; C] = array(|row| {
             let (rate, pull) = (rates[row], -self.rate(row, accelerations));
             let struck = scales.impacts[row];
             let speed = if struck.is_positive() { struck } else { scales.speeds[row] };
@@ -109,6 +109,6 @@ where
         let in_regime = self.system.in_regime(&closed);
         let equations = S::equations_in(&in_regime, *t, q, v, self.inputs)?;
         let (change, impulses) = equations.saddle.solve(&[zero; N], &wanted);
-        Some((core::array::from_fn(|i| v[i] + change[i]), impulses))
+        Some((array(|i| v[i] + change[i]), impulses))
     }
 }

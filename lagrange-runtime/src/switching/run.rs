@@ -7,6 +7,7 @@ use super::memory::shift;
 use super::scene::{Known, Scene, above, most};
 use super::standstill::is_at_rest;
 use super::{Regime, Row, Switching};
+use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::control::Held;
@@ -99,7 +100,7 @@ where
                     return Err(scene.accumulation());
                 }
                 state.v = v;
-                *impulses = core::array::from_fn(|row| impulses[row] + more[row]);
+                *impulses = array(|row| impulses[row] + more[row]);
                 (known.closed, known.settled) = (scene.is_closed, true);
                 last = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &last;

@@ -16,6 +16,7 @@ use super::guards::{Guard, Guards};
 use super::run::Run;
 use super::scene::{Scene, above, most, rounding};
 use super::{Regime, Row, Switching};
+use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::control::Held;
@@ -113,7 +114,7 @@ where
         };
         let unit = terms.unit.part(0);
         let passed = (t - self.memory.start.t).part(0) / unit;
-        *a = core::array::from_fn(|i| {
+        *a = array(|i| {
             let orders = terms.v.iter().enumerate().rev();
             orders.fold(num_traits::Zero::zero(), |sum: S::Scalar, (order, row)| {
                 sum * passed + S::Scalar::from_f64((order + 1) as f64) * row[i].part(0) / unit
@@ -141,8 +142,8 @@ where
         let size = |now: S::Scalar, before: S::Scalar| most(now.part(0).abs(), before.part(0).abs());
         let sizes = State {
             t: size(state.t, start.t),
-            q: core::array::from_fn(|i| size(state.q[i], start.q[i])),
-            v: core::array::from_fn(|i| size(state.v[i], start.v[i])),
+            q: array(|i| size(state.q[i], start.q[i])),
+            v: array(|i| size(state.v[i], start.v[i])),
         };
         let rounded = guards.value(guard, state, &sizes).error / S::Scalar::epsilon();
         Crossing {
@@ -269,8 +270,8 @@ where
         let moved = |x: S::Scalar, rate: S::Scalar| x.part(0) + pace * rate.part(0);
         let state = State {
             t: moved(state.t, one),
-            q: core::array::from_fn(|i| moved(state.q[i], state.v[i])),
-            v: core::array::from_fn(|i| moved(state.v[i], a[i])),
+            q: array(|i| moved(state.q[i], state.v[i])),
+            v: array(|i| moved(state.v[i], a[i])),
         };
         guards.varying(guard, &state).part(1)
     };

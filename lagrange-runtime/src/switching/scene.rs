@@ -1,6 +1,7 @@
 //! Rows of a system that stand still and rows that move, at one state.
 
 use super::{Coefficients, Laws, Regime, Row, Switching};
+use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::state::State;
 
@@ -167,7 +168,7 @@ where
         if let Some(rows) = S::rows_in(&system.in_regime(&all), t, &q, &v, inputs) {
             (gradients, gamma, units) = (rows.gradients, rows.gamma, rows.units);
         }
-        let speeds = core::array::from_fn(|row| most(scales.speeds[row], laws.rows.rate_sizes[row]));
+        let speeds = array(|row| most(scales.speeds[row], laws.rows.rate_sizes[row]));
         let mut scene = Self {
             system,
             state: *state,

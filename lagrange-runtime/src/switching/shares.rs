@@ -10,6 +10,7 @@ use super::scene::{Scene, Status, above, against, entry, extent, most, product, 
 use super::turning::TURNS;
 use super::{Regime, Row, Switching};
 use crate::linear::{SaddlePoint, Switched};
+use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::state::State;
 
@@ -68,7 +69,7 @@ where
         let laws = self.system.laws_at(*t, q, v, self.inputs);
         let coefficients = self.system.coefficients_at(*t, q, v, self.inputs, &laws);
         let rates = &laws.rows.rates;
-        core::array::from_fn(|row| {
+        array(|row| {
             let Row::Friction { pair, .. } = S::ROWS[row] else { return num_traits::Zero::zero() };
             let slip = regime.slip[pair.map_or(row, |other| row.min(other))];
             if regime.active[row] || slip == num_traits::Zero::zero() {
@@ -101,7 +102,7 @@ where
         for (i, (row, &unit)) in mass.iter_mut().zip(&self.units).enumerate() {
             row[i] = if unit.is_positive() { (unit * unit).recip() } else { num_traits::One::one() };
         }
-        let active = core::array::from_fn(|row| bearing.activity(row));
+        let active = array(|row| bearing.activity(row));
         let saddle = Switched::factor(&mass, &rows, &[[zero; N]; C], &active);
         // The shortest multipliers that give the same forces.
         let project = |multipliers: &[S::Scalar; C]| {
@@ -121,7 +122,7 @@ where
             for row in 0..C {
                 let Some((cut, bound)) = self.cut(row, bearing, &toward) else { continue };
                 let held = project(&cut);
-                let rest: [S::Scalar; C] = core::array::from_fn(|i| cut[i] - held[i]);
+                let rest: [S::Scalar; C] = array(|i| cut[i] - held[i]);
                 // A reaction that the motion determines cannot be chosen.
                 let share = S::Scalar::epsilon().sqrt();
                 if above(product(&rest, &rest), share * share * product(&cut, &cut)) {
@@ -129,22 +130,21 @@ where
                 }
             }
             let pushes = nearest(&free, &lacks)?;
-            let found: [S::Scalar; C] = core::array::from_fn(|i| {
-                free.iter().zip(&pushes).fold(base[i], |sum, (row, &push)| sum + push * row[i])
-            });
+            let found: [S::Scalar; C] =
+                array(|i| free.iter().zip(&pushes).fold(base[i], |sum, (row, &push)| sum + push * row[i]));
             let is_possible = (0..C).all(|row| {
                 let Some((cut, bound)) = self.cut(row, bearing, &found) else { return true };
                 let slack = product(&cut, &cut).sqrt() * size + bound.abs();
                 !above(bound - product(&cut, &found), rounding::<S::Scalar>() * slack)
             });
             if is_possible {
-                return Some(core::array::from_fn(|row| match S::ROWS[row] {
+                return Some(array(|row| match S::ROWS[row] {
                     Row::Unilateral => most(found[row], zero),
                     _ => found[row],
                 }));
             }
             // A friction at its limit has the direction that it would have without the limit.
-            let cuts: [_; C] = core::array::from_fn(|row| self.cut(row, bearing, &toward));
+            let cuts: [_; C] = array(|row| self.cut(row, bearing, &toward));
             let mut next = found;
             for (row, (cut, &push)) in cuts.iter().zip(&pushes).enumerate() {
                 if let (Row::Friction { pair, .. }, Some((cut, _))) = (S::ROWS[row], cut) {

@@ -1,6 +1,7 @@
 //! The combinations of activities of rows.
 
 use super::{Regime, Row};
+use crate::number::elements::array;
 use crate::number::real::Real;
 
 /// The most combinations that are tried: twelve contacts that are open or closed.
@@ -82,7 +83,7 @@ pub(super) fn combine<const C: usize>(options: &[Options; C], mut visit: impl Fn
     for changes in 0..=C {
         for number in 0..total {
             let (mut rest, mut changed) = (number, 0);
-            let parts = core::array::from_fn(|row| {
+            let parts = array(|row| {
                 let count = options[row].count.max(1);
                 let digit = rest % count;
                 rest /= count;

@@ -17,6 +17,7 @@ pub(crate) use drift::drift;
 use nalgebra::{Isometry3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 use num_traits::Zero;
 
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::state::State;
 #[doc(hidden)]
@@ -58,7 +59,7 @@ pub(crate) fn triple<R: Real, const N: usize>(numbers: &[R; N], first: usize) ->
 pub fn rotation<R: Real>(rho: [R; 3]) -> UnitQuaternion<R> {
     let s = square(rho) * R::from_f64(1.0 / 16.0);
     let reciprocal = R::one() / (R::one() + s);
-    let [x, y, z] = rho.map(|component| R::from_f64(0.5) * component * reciprocal);
+    let [x, y, z] = rho.each(|component| R::from_f64(0.5) * component * reciprocal);
     Unit::new_unchecked(Quaternion::from_vector(nalgebra::Vector4::new(x, y, z, (R::one() - s) * reciprocal)))
 }
 
@@ -85,17 +86,17 @@ fn rates_at<R: Real>(rho: [R; 3], omega: [R; 3]) -> [R; 3] {
     let s = square(rho) * R::from_f64(1.0 / 16.0);
     let along = dot(rho, omega) * R::from_f64(0.125);
     let turned = cross(rho, omega);
-    core::array::from_fn(|i| (R::one() - s) * omega[i] + R::from_f64(0.5) * turned[i] + rho[i] * along)
+    array(|i| (R::one() - s) * omega[i] + R::from_f64(0.5) * turned[i] + rho[i] * along)
 }
 
 /// The inverse: the matrix of [`rates_at`] is 1 + s times an orthogonal one.
 fn spin<R: Real>(rho: [R; 3], rates: [R; 3]) -> [R; 3] {
     let s = square(rho) * R::from_f64(1.0 / 16.0);
     let scale = R::one() / (R::one() + s);
-    let rates = rates.map(|rate| rate * scale * scale);
+    let rates = rates.each(|rate| rate * scale * scale);
     let along = dot(rho, rates) * R::from_f64(0.125);
     let turned = cross(rho, rates);
-    core::array::from_fn(|i| (R::one() - s) * rates[i] - R::from_f64(0.5) * turned[i] + rho[i] * along)
+    array(|i| (R::one() - s) * rates[i] - R::from_f64(0.5) * turned[i] + rho[i] * along)
 }
 
 /// The pose of six parameters: position \[m], then orientation.
@@ -166,7 +167,7 @@ fn other<R: Real>(rho: [R; 3], rates: [R; 3]) -> ([R; 3], [R; 3]) {
     let scale = -(R::from_f64(HALF_A_TURN) / square);
     let along = rho[0] * rates[0] + rho[1] * rates[1] + rho[2] * rates[2];
     let back = R::from_f64(2.0) * along / square;
-    (rho.map(|component| component * scale), core::array::from_fn(|i| (rates[i] - back * rho[i]) * scale))
+    (rho.each(|component| component * scale), array(|i| (rates[i] - back * rho[i]) * scale))
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! How many digits two results share.
 
 use super::state::State;
+use crate::number::elements::array;
 use crate::number::real::{DoubleDouble, Real};
 
 /// Decimal digits in common, for each coordinate and velocity; see [`State::digits_in_common`].
@@ -29,8 +30,7 @@ impl<R: Real + Into<DoubleDouble>, const N: usize> State<R, N> {
     /// digits that are true.
     #[must_use]
     pub fn digits_in_common(&self, reference: &State<DoubleDouble, N>) -> Digits<N> {
-        let of =
-            |value: &[R; N], exact: &[DoubleDouble; N]| core::array::from_fn(|i| shared(value[i], exact[i]));
+        let of = |value: &[R; N], exact: &[DoubleDouble; N]| array(|i| shared(value[i], exact[i]));
         Digits { q: of(&self.q, &reference.q), v: of(&self.v, &reference.v) }
     }
 }

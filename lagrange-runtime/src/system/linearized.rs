@@ -6,6 +6,7 @@
 use nalgebra::SMatrix;
 
 use crate::linear::{Lu, Rows};
+use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::error::MotionError;
 use crate::system::state::State;
@@ -215,7 +216,7 @@ fn are_finite<R: Real, const N: usize, const W: usize>(rows: &[[R; W]; N]) -> bo
 
 fn by_column<R: Real, const N: usize, const W: usize>(factors: &Lu<R, N>, rows: &mut [[R; W]; N]) {
     for j in 0..W {
-        let column = factors.solve(core::array::from_fn(|i| rows[i][j]));
+        let column = factors.solve(array(|i| rows[i][j]));
         rows.iter_mut().zip(column).for_each(|(row, entry)| row[j] = entry);
     }
 }

@@ -5,6 +5,7 @@ use super::System;
 use super::error::{Cause, MotionError};
 use super::limits::Limits;
 use super::state::State;
+use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
 
 /// A method that takes steps of a size chosen by the caller.
@@ -62,10 +63,11 @@ impl<R: Real, const N: usize> Terms<'_, R, N> {
     pub(crate) fn sizes(&self, start: &State<R, N>, part: R) -> State<R, N> {
         let theta = (part * self.length).abs();
         let sums = |numbers: &[R; N], rows: &[[R; N]]| {
-            let gains = rows.iter().rev().fold([R::zero(); N], |sums, row| {
-                core::array::from_fn(|i| R::mul_add(sums[i], theta, row[i].abs()))
-            });
-            core::array::from_fn(|i| R::mul_add(gains[i], theta, numbers[i].abs()))
+            let gains = rows
+                .iter()
+                .rev()
+                .fold([R::zero(); N], |sums, row| array(|i| R::mul_add(sums[i], theta, row[i].abs())));
+            array(|i| R::mul_add(gains[i], theta, numbers[i].abs()))
         };
         let t = start.t.abs() + (theta * self.unit).abs();
         State { t, q: sums(&start.q, self.q), v: sums(&start.v, self.v) }

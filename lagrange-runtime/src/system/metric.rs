@@ -6,6 +6,7 @@
 //! the same in all units of the user.
 
 use crate::linear::{Gradients, SaddlePoint};
+use crate::number::elements::Each;
 use crate::number::real::Real;
 
 /// Units of the coordinates at a state, those of the kinetic metric.
@@ -23,7 +24,7 @@ impl<R: Real, const N: usize> Metric<R, N> {
     pub(crate) fn of<const C: usize>(saddle: &impl SaddlePoint<R, N, C>) -> Self {
         let units = saddle.units();
         let reciprocal = |unit: R| if unit.is_positive() { unit.recip() } else { R::zero() };
-        Self { units, weights: units.map(reciprocal) }
+        Self { units, weights: units.each(reciprocal) }
     }
 
     /// A metric in which nothing has a size.
@@ -53,6 +54,6 @@ impl<R: Real, const N: usize> Metric<R, N> {
     /// A number of this extent, in the unit of each coordinate.
     #[inline(always)]
     pub(crate) fn at_extent(&self, extent: R) -> [R; N] {
-        self.units.map(|unit| extent * unit)
+        self.units.each(|unit| extent * unit)
     }
 }

@@ -9,6 +9,7 @@ use nalgebra::{
     Isometry, OPoint, Quaternion, Rotation, SMatrix, Translation, Unit, UnitComplex, UnitQuaternion,
 };
 
+use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::System;
 use crate::system::error::magnitude;
@@ -166,7 +167,7 @@ fn beside<R: Real, const N: usize, const K: usize>(state: &State<R, N>, u: &[R; 
         let share = f64::from(count) * 0.618_033_988_749_894_9;
         x + R::from_f64(share - f64::from(share as u32)) * (R::one() + x.abs())
     };
-    let (q, v, u) = (state.q.map(&mut moved), state.v.map(&mut moved), u.map(&mut moved));
+    let (q, v, u) = (state.q.each(&mut moved), state.v.each(&mut moved), u.each(&mut moved));
     (State { t: moved(state.t), q, v }, u)
 }
 

@@ -1,6 +1,7 @@
 //! [`Smooth`]: systems whose motion has a Taylor series, and the series.
 
 use crate::linear::Independence;
+use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::System;
 
@@ -136,7 +137,7 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
             add(&mut even, even_row);
             add(&mut odd, odd_row);
         }
-        core::array::from_fn(|i| R::mul_add(even[i], theta, odd[i]))
+        array(|i| R::mul_add(even[i], theta, odd[i]))
     }
 
     /// The series about a place `shift` units from the present one: the same polynomials without their values

@@ -7,6 +7,7 @@
 use nalgebra::SMatrix;
 
 use crate::linear::{Ldlt, Lu};
+use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::error::{Cause, MotionError};
 use crate::system::name::Name;
@@ -105,7 +106,7 @@ impl<R: Real, const N: usize> Factor<R, N> for Ldlt<R, N> {
 impl<R: Real, const N: usize> Factor<R, N> for Lu<R, N> {
     #[inline]
     fn factor(lower: [[R; N]; N]) -> Result<Self, usize> {
-        Lu::factor(core::array::from_fn(|i| core::array::from_fn(|j| lower[i.max(j)][i.min(j)])))
+        Lu::factor(array(|i| array(|j| lower[i.max(j)][i.min(j)])))
     }
 
     #[inline]
@@ -187,7 +188,7 @@ pub fn check_block<F: Factor<R, B>, R: Real, const N: usize, const B: usize>(
 ) -> Result<(), Cause> {
     let entry =
         |i: usize, j: usize| mass.get((coordinates[i], coordinates[j])).copied().unwrap_or_else(R::zero);
-    let lower = core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)));
+    let lower = array(|i| array(|j| entry(i, j)));
     let cause = |row: usize| {
         singular(mass.iter().all(|x| x.is_finite()), coordinates.get(row).copied().unwrap_or(row))
     };

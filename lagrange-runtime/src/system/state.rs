@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use crate::number::elements::array;
 use crate::number::real::Real;
 
 /// Where a system of `N` coordinates is, and how fast it moves.
@@ -96,7 +97,7 @@ impl<R: Real, const N: usize> From<[R; N]> for State<R, N> {
 
 /// a − b, of coordinates or of velocities.
 pub(crate) fn difference<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> [R; N] {
-    core::array::from_fn(|i| a[i] - b[i])
+    array(|i| a[i] - b[i])
 }
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ use super::statics::{Rest, Statics, dot};
 use crate::analysis::Tangent;
 use crate::linear::diagonalise;
 use crate::linear::stored::Stored;
+use crate::number::elements::array;
 use crate::number::real::{Ordered, Real, larger, smaller};
 
 /// The most steps of a search.
@@ -89,7 +90,7 @@ where
         }
         let mut vectors = Stored::zeros();
         diagonalise(rows, &mut vectors, count);
-        Some(Curvature { values: core::array::from_fn(|k| rows[k][k]), vectors, rounding })
+        Some(Curvature { values: array(|k| rows[k][k]), vectors, rounding })
     }
 
     /// Goes down from a position as far as the energy falls.
@@ -129,7 +130,7 @@ where
                 }
                 let turned = curvature.turned(&components, count);
                 let change = rest.motions.combined(&turned);
-                let moved = core::array::from_fn(|i| rest.q[i] + change[i]);
+                let moved = array(|i| rest.q[i] + change[i]);
                 let found = self.feasible(moved).ok().and_then(|q| self.fallen(&rest, q, predicted, size));
                 if let Some((next, by, way)) = found {
                     let foretold = rest.unit * predicted;
@@ -163,7 +164,7 @@ where
         size: S::Scalar,
     ) -> Option<(Rest<S::Scalar, N, C>, S::Scalar, S::Scalar)> {
         let number = S::Scalar::from_f64;
-        let way: [S::Scalar; N] = core::array::from_fn(|i| q[i] - rest.q[i]);
+        let way: [S::Scalar; N] = array(|i| q[i] - rest.q[i]);
         let length = self.size(&way).sqrt();
         let Fall { by, doubt, crosses_a_hill } = self.fall(rest, &way);
         let predicted = rest.unit * predicted;
@@ -184,7 +185,7 @@ where
         let (mut by, mut coarse) = (number(0.0), number(0.0));
         for (power, (point, fine, rough)) in powers.iter_mut().zip(RULE) {
             let share = number(0.5 * (1.0 + point));
-            let q = core::array::from_fn(|i| S::Scalar::mul_add(share, way[i], rest.q[i]));
+            let q = array(|i| S::Scalar::mul_add(share, way[i], rest.q[i]));
             *power = self.power(&q, &rest.multipliers, way);
             by += number(0.5 * fine) * *power;
             coarse += number(0.5 * rough) * *power;

@@ -8,6 +8,7 @@
 use super::statics::{Rest, Statics};
 use crate::analysis::Tangent;
 use crate::linear::SingularValues;
+use crate::number::elements::array;
 use crate::number::real::{Ordered, Real, larger, smaller};
 
 /// The most steps of a search.
@@ -88,10 +89,10 @@ where
             }
             loop {
                 let change = self.displacement(&rest, &values, damping * largest);
-                let moved = core::array::from_fn(|i| rest.q[i] + change[i]);
+                let moved = array(|i| rest.q[i] + change[i]);
                 let next = self.feasible(moved).ok().map(|q| self.rest(q));
                 if let Some(next) = next.filter(|next| next.norm < rest.norm) {
-                    let way: [S::Scalar; N] = core::array::from_fn(|i| next.q[i] - rest.q[i]);
+                    let way: [S::Scalar; N] = array(|i| next.q[i] - rest.q[i]);
                     search.stepped(self.size(&way).sqrt(), &next);
                     // Quadratic convergence needs a damping that vanishes with the forces.
                     let share = next.norm / search.met;
@@ -152,6 +153,6 @@ where
 
     /// The distance from the start, as a vector.
     pub fn travelled(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> [S::Scalar; N] {
-        core::array::from_fn(|i| rest.q[i] - search.start[i])
+        array(|i| rest.q[i] - search.start[i])
     }
 }

@@ -11,6 +11,7 @@ use super::EquilibriumError;
 use super::newton::Search;
 use super::statics::{Rest, Statics, dot, size_of};
 use crate::analysis::Tangent;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger};
 use crate::system::name::Name;
 
@@ -38,7 +39,7 @@ where
         let least = S::Scalar::epsilon().sqrt() * search.met;
         let by_q = self.variation(&rest.q, &rest.multipliers).by_q;
         for coordinate in 0..N {
-            let slopes = by_q.each_ref().map(|row| row[coordinate]);
+            let slopes = by_q.each_ref().each(|row| row[coordinate]);
             let motions = rest.motions.vectors.iter().take(rest.motions.count);
             let stiffest =
                 motions.fold(S::Scalar::zero(), |most, vector| larger(size_of(vector, &slopes), most));
@@ -72,7 +73,7 @@ where
             q[coordinate] += S::Scalar::from_f64(place) * change;
             let way = q[coordinate] - rest.q[coordinate];
             let there = self.imbalance(&q, &rest.multipliers);
-            let bends = core::array::from_fn(|i| there[i] - rest.left[i] - slopes[i] * way);
+            let bends = array(|i| there[i] - rest.left[i] - slopes[i] * way);
             let most = S::Scalar::from_f64(0.5) * stiffest * way.abs();
             let mut motions = rest.motions.vectors.iter().take(rest.motions.count);
             motions.all(|vector| dot(vector, &bends).abs() <= most || dot(vector, &there).abs() <= least)

@@ -11,6 +11,7 @@ use crate::analysis::{Place, Tangent, Variation};
 use crate::constraints::{Level, Metric};
 use crate::linear::stored::Stored;
 use crate::linear::{Saddle, SaddlePoint, TangentSpace};
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger};
 use crate::system::error::Cause;
 use crate::system::name::Name;
@@ -94,7 +95,7 @@ impl<R: Real, const N: usize> Directions<R, N> {
     pub fn table(&self, rows: &[[R; N]; N]) -> Stored<[[R; N]; N]> {
         let mut table = Stored::<[[R; N]; N]>::zeros();
         for (l, z) in self.vectors.iter().enumerate().take(self.count) {
-            let image = rows.each_ref().map(|row| dot(row, z));
+            let image = rows.each_ref().each(|row| dot(row, z));
             for (k, y) in self.vectors.iter().enumerate().take(self.count) {
                 table[k][l] = dot(y, &image);
             }
@@ -131,7 +132,7 @@ where
         let constants = system.constants();
         let mut this = Self { system, constants, t: guess.t, u, sizes: [S::Scalar::zero(); N], metric };
         let first = this.variation(&guess.q, &[S::Scalar::zero(); C]);
-        this.put(&core::array::from_fn(|i| first.mass[i][i].abs()));
+        this.put(&array(|i| first.mass[i][i].abs()));
         // A coordinate without inertia gets the size that the constraints suggest.
         this.sizes = TangentSpace::new(&this.metric, &first.gradients).metric;
         let sizes = this.sizes;
@@ -212,10 +213,10 @@ where
             let (saddle, gradients) = self.tangent(&q);
             let metric = Metric::of(&*saddle);
             let slopes = metric.slopes(&*gradients);
-            let by_state = slopes.map(|slope| slope * metric.extent(&q));
+            let by_state = slopes.each(|slope| slope * metric.extent(&q));
             let before = residuals.distance(Level::Positions, &slopes);
-            let (change, _) = saddle.solve(&none, &residuals.positions.map(|f| -f));
-            let moved: [S::Scalar; N] = core::array::from_fn(|i| q[i] + change[i]);
+            let (change, _) = saddle.solve(&none, &residuals.positions.each(|f| -f));
+            let moved: [S::Scalar; N] = array(|i| q[i] + change[i]);
             if !moved.iter().all(|q| q.is_finite()) {
                 break;
             }
@@ -356,8 +357,8 @@ fn stiffness<R: Ordered, const N: usize>(
     let mut rows = Stored::<[[R; N]; N]>::zeros();
     let mut size = R::zero();
     for (l, direction) in allowed.vectors.iter().enumerate().take(allowed.count) {
-        let change = by_q.each_ref().map(|slopes| -dot(slopes, direction));
-        let magnitudes = by_q.each_ref().map(|slopes| size_of(slopes, direction));
+        let change = by_q.each_ref().each(|slopes| -dot(slopes, direction));
+        let magnitudes = by_q.each_ref().each(|slopes| size_of(slopes, direction));
         for (k, z) in motions.vectors.iter().enumerate().take(motions.count) {
             rows[k][l] = dot(z, &change);
             size = larger(size_of(z, &magnitudes), size);

@@ -11,6 +11,7 @@ use std::vec::Vec;
 use nalgebra::{Complex, DMatrix, Hessenberg};
 
 use super::largest;
+use crate::number::elements::{Each, array};
 
 /// Iterations for one eigenvalue or pair: two or three are usual.
 const ITERATIONS: usize = 100;
@@ -41,7 +42,7 @@ pub(super) fn iterated(matrix: DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
                 values.push(Complex::new(h[(last, last)] + moved, 0.0));
             } else {
                 let row = |i: usize| [h[(i, start)], h[(i, last)]];
-                values.extend(of_two([row(start), row(last)]).map(|value| value + moved));
+                values.extend(of_two([row(start), row(last)]).each(|value| value + moved));
             }
             (end, count) = (start, 0);
             continue;
@@ -79,7 +80,7 @@ fn sweep(h: &mut DMatrix<f64>, start: usize, end: usize, [x, y, w]: [f64; 3]) {
         let column =
             [(r * s - w) / h[(m + 1, m)] + h[(m, m + 1)], h[(m + 1, m + 1)] - z - r - s, h[(m + 2, m + 1)]];
         let size: f64 = column.iter().map(|x| x.abs()).sum();
-        if size > 0.0 { column.map(|x| x / size) } else { column }
+        if size > 0.0 { column.each(|x| x / size) } else { column }
     };
     let begins = |&m: &usize| {
         let [p, q, r] = first(m);
@@ -96,13 +97,13 @@ fn sweep(h: &mut DMatrix<f64>, start: usize, end: usize, [x, y, w]: [f64; 3]) {
     for k in begin..last {
         let rows = (end - k).min(3);
         if k > begin {
-            column = core::array::from_fn(|i| if i < rows { h[(k + i, k - 1)] } else { 0.0 });
+            column = array(|i| if i < rows { h[(k + i, k - 1)] } else { 0.0 });
         }
         let size: f64 = column.iter().map(|x| x.abs()).sum();
         if size == 0.0 {
             continue;
         }
-        let [p, q, r] = column.map(|x| x / size);
+        let [p, q, r] = column.each(|x| x / size);
         let s = (p * p + q * q + r * r).sqrt().copysign(p);
         if k > begin {
             h[(k, k - 1)] = -s * size;

@@ -5,6 +5,7 @@ use num_traits::Zero;
 use super::scales::Scales;
 use super::{Certificate, Described, Driven, Identity, Verifiable, Violation, derivative, double};
 use crate::linear::Ldlt;
+use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::state::State;
 
@@ -47,8 +48,8 @@ fn along<R: Real, const N: usize>(state: &State<R, N>, a: &[R; N], time: R) -> S
     let half = R::from_f64(0.5) * time * time;
     State {
         t: state.t + time,
-        q: core::array::from_fn(|i| state.q[i] + time * state.v[i] + half * a[i]),
-        v: core::array::from_fn(|i| state.v[i] + time * a[i]),
+        q: array(|i| state.q[i] + time * state.v[i] + half * a[i]),
+        v: array(|i| state.v[i] + time * a[i]),
     }
 }
 

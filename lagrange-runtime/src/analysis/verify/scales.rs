@@ -4,6 +4,7 @@
 //! coordinate from its origin, and the time in which its velocity or acceleration would cover that distance.
 //! A scale that is too large does no harm, because differences look for better steps below it.
 
+use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::state::State;
 
@@ -27,7 +28,7 @@ impl<R: Real, const N: usize> Scales<R, N> {
         // be numbers.
         let is_scale = |x: &R| x.is_finite() && (*x * R::epsilon() * (*x * R::epsilon())).is_positive();
         let first = |candidates: [R; 2]| candidates.into_iter().find(is_scale).unwrap_or(R::one());
-        let places = core::array::from_fn(|i| {
+        let places = array(|i| {
             let others = (0..N).map(|j| {
                 let ratio = (mass[j][j] / mass[i][i]).abs().sqrt();
                 R::from_f64(SHARE) * ratio * state.q[j].abs()

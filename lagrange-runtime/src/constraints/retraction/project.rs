@@ -4,6 +4,7 @@ use super::{From, Retraction};
 use crate::constraints::Surface;
 use crate::constraints::residuals::Level;
 use crate::linear::SaddlePoint;
+use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::state::{State, difference};
@@ -82,7 +83,7 @@ pub(in crate::constraints) fn slopes<S, const N: usize, const K: usize, const C:
         for level in [Level::Positions, Level::Velocities] {
             let (saddle, _) = system.saddle_at(state.t, &state.q, &state.v);
             let residuals = system.residuals_at(state.t, &state.q, &state.v);
-            let lack = residuals.values(level).map(|residual| residual.part(0) - residual);
+            let lack = residuals.values(level).each(|residual| residual.part(0) - residual);
             let (change, _) = saddle.solve(&none, &lack);
             let numbers = if level == Level::Positions { &mut state.q } else { &mut state.v };
             for (number, change) in numbers.iter_mut().zip(change) {

@@ -13,6 +13,7 @@ use num_traits::Zero;
 use super::super::Field;
 use super::super::slopes::Slope;
 use super::super::step_size;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger};
 use crate::system::limits::Limits;
 use crate::system::state::{State, difference};
@@ -60,14 +61,14 @@ impl<R: Ordered, const N: usize> Tried<'_, R, N> {
     ) -> R {
         let along = self
             .estimates
-            .map(|estimate| Slope { q: f.along(self.to, estimate.q), v: f.along(self.to, estimate.v) });
-        let across: [_; 2] = core::array::from_fn(|i| Slope {
+            .each(|estimate| Slope { q: f.along(self.to, estimate.q), v: f.along(self.to, estimate.v) });
+        let across: [_; 2] = array(|i| Slope {
             q: difference(&self.estimates[i].q, &along[i].q),
             v: difference(&self.estimates[i].v, &along[i].v),
         });
         let half = Limits { relative: larger(limits.relative, R::epsilon()).sqrt(), ..*limits };
         let parts = [(along, limits), (across, &half)];
-        let [along, across] = parts.map(|([fifth, third], limits)| {
+        let [along, across] = parts.each(|([fifth, third], limits)| {
             Tried { estimates: [&fifth, &third], ..*self }.error(limits, unavoidable)
         });
         // `larger` returns the second of two that cannot be compared.
@@ -81,7 +82,7 @@ impl<R: Ordered, const N: usize> Tried<'_, R, N> {
         let of = |x: R| x.part(part).largest();
         let h = self.length();
         let tolerances = self.tolerances(part, limits);
-        let [fifth, third] = self.estimates.map(|estimate| [&estimate.q, &estimate.v]);
+        let [fifth, third] = self.estimates.each(|estimate| [&estimate.q, &estimate.v]);
         let (mut sum5, mut sum3) = (R::Lane::zero(), R::Lane::zero());
         for n in 0..N {
             for k in 0..2 {
@@ -105,17 +106,17 @@ impl<R: Ordered, const N: usize> Tried<'_, R, N> {
     fn tolerances(&self, part: usize, limits: &Limits<R>) -> [[R::Lane; N]; 2] {
         let of = |x: R| x.part(part).largest().abs();
         let h = self.length();
-        let sizes: [_; N] = core::array::from_fn(|n| {
+        let sizes: [_; N] = array(|n| {
             let turn = h * of(self.slope.v[n]);
             let way = h * larger(of(self.slope.q[n]), turn);
             let [from, to] = [self.from, self.to];
             let size = larger(larger(of(from.q[n]), of(to.q[n])), way);
             (size, larger(larger(of(from.v[n]), of(to.v[n])), turn))
         });
-        let sizes = [sizes.map(|(q, _)| q), sizes.map(|(_, v)| v)];
+        let sizes = [sizes.each(|(q, _)| q), sizes.each(|(_, v)| v)];
         let relative = relative(limits);
         let given = limits.absolute.map(Real::largest);
-        sizes.map(|sizes| {
+        sizes.each(|sizes| {
             let absolute = if part == 0 {
                 given.unwrap_or_else(R::Lane::zero)
             } else {
@@ -124,7 +125,7 @@ impl<R: Ordered, const N: usize> Tried<'_, R, N> {
                 let whole = sizes.iter().fold(R::Lane::zero(), |most, &size| larger(most, size));
                 given.unwrap_or(relative) * whole
             };
-            sizes.map(|size| larger(absolute, step_size::least()) + relative * size)
+            sizes.each(|size| larger(absolute, step_size::least()) + relative * size)
         })
     }
 

@@ -15,6 +15,7 @@ use super::super::Field;
 use super::super::slopes::Slope;
 use super::super::tableau::dop853::{A, E5};
 use super::tolerance::Tried;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::system::limits::Limits;
 use crate::system::method::Steps;
@@ -67,7 +68,7 @@ impl<L: Ordered, const N: usize> Attempts<L, N> {
         // jumps. Between them lies h².
         let part = h / length;
         let errors = errors(tried);
-        core::array::from_fn(|n| if errors[n] >= part * first[n] { errors[n] } else { L::zero() })
+        array(|n| if errors[n] >= part * first[n] { errors[n] } else { L::zero() })
     }
 
     /// The error of a step in tolerances without the unavoidable part. If the constraints alone do not
@@ -99,16 +100,16 @@ impl<L: Ordered, const N: usize> Attempts<L, N> {
         F: Field<R, N>,
     {
         let (jumps, roundings) = (self.jumps(tried), roundings(f, tried));
-        let [q, v] = bounds().map(L::from_f64);
+        let [q, v] = bounds().each(L::from_f64);
         let h = tried.length();
-        let most: [L; N] = core::array::from_fn(|n| larger(jumps[n], roundings[n]));
-        [most.map(|a| q * h * h * a), most.map(|a| v * h * a)]
+        let most: [L; N] = array(|n| larger(jumps[n], roundings[n]));
+        [most.each(|a| q * h * h * a), most.each(|a| v * h * a)]
     }
 }
 
 /// Errors of the velocities over the length of the step.
 fn errors<R: Ordered, const N: usize>(tried: &Tried<'_, R, N>) -> [R::Lane; N] {
-    tried.estimates[0].v.map(|x| x.part(0).largest().abs())
+    tried.estimates[0].v.each(|x| x.part(0).largest().abs())
 }
 
 /// The largest estimated errors of the coordinates (in units of h²) and of the velocities (in units of h)
@@ -129,7 +130,7 @@ fn roundings<R: Ordered, F: Field<R, N>, const N: usize>(f: &F, tried: &Tried<'_
     let at_start = changes(f, from.t, from, tried.slope, h);
     let a = f.accelerations(from.t + h, &to.q, &to.v);
     let at_end = changes(f, from.t + h, to, &Slope { q: to.v, v: a }, h);
-    core::array::from_fn(|n| smaller(at_start[n], at_end[n]))
+    array(|n| smaller(at_start[n], at_end[n]))
 }
 
 /// The largest changes of the accelerations by a few ulps of a state with its `slope`, `h` \[s] from others.
@@ -146,8 +147,8 @@ fn changes<R: Ordered, F: Field<R, N>, const N: usize>(
             let ulp = R::epsilon() * (x[n].abs() + (h * rate[n]).abs());
             x[n] + R::from_f64(probe[n % 2]) * ulp
         };
-        let q = core::array::from_fn(|n| beside(&state.q, &slope.q, n));
-        let v = core::array::from_fn(|n| beside(&state.v, &slope.v, n));
+        let q = array(|n| beside(&state.q, &slope.q, n));
+        let v = array(|n| beside(&state.v, &slope.v, n));
         let a = f.accelerations(t, &q, &v);
         for n in 0..N {
             let change = (a[n] - slope.v[n]).part(0).largest().abs();

@@ -11,6 +11,7 @@ use num_traits::Zero;
 
 use super::stages::{Places, Stages, Verdict};
 use crate::linear::complex::{Complex, ComplexLu};
+use crate::number::elements::array;
 use crate::number::real::{Ordered, Real, extent, larger};
 use crate::system::linearized::{Linearization, Linearized};
 use crate::system::state::State;
@@ -63,7 +64,7 @@ where
         let Places { q, v } = self.places(a);
         for (i, residual) in residuals.iter_mut().enumerate() {
             let found = self.system.accelerations_at(self.constants, self.time(i), &q[i], &v[i], self.u);
-            let defect: [_; N] = core::array::from_fn(|n| found[n] - a[i][n]);
+            let defect: [_; N] = array(|n| found[n] - a[i][n]);
             for (residual, mass) in residual.iter_mut().zip(&factors.mass) {
                 for (&mass, &defect) in mass.iter().zip(&defect) {
                     *residual += mass * defect;
@@ -107,8 +108,8 @@ where
         for (factors, mode) in modes.iter_mut().zip(self.table.modes) {
             let once = Complex::from_f64(mode.value).scaled(self.h);
             let twice = once * once;
-            *factors = Some(ComplexLu::factor(core::array::from_fn(|i| {
-                core::array::from_fn(|j| {
+            *factors = Some(ComplexLu::factor(array(|i| {
+                array(|j| {
                     let mass = Complex { re: mass[i][j], im: S::Scalar::zero() };
                     mass - (once.scaled(by_v[i][j]) + twice.scaled(by_q[i][j]))
                 })

@@ -6,6 +6,7 @@ use core::cmp::Ordering;
 use num_traits::{One, Zero};
 
 use crate::integrator::tableau::gauss::Collocation;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, extent, larger};
 use crate::system::linearized::Linearized;
 use crate::system::state::State;
@@ -74,7 +75,7 @@ where
         u: &'a [S::Scalar; K],
     ) -> Self {
         let number = S::Scalar::from_f64;
-        let mut weights = table.b.map(|b| number(b) * h);
+        let mut weights = table.b.each(|b| number(b) * h);
         // The middle weights make up for the rounding of the others.
         let middle = (STAGES - 1) / 2;
         let rest = weights.iter().take(middle).fold(h, |rest, &weight| rest - (weight + weight));
@@ -85,7 +86,7 @@ where
             Ordering::Equal => number(0.5),
             Ordering::Greater => number(table.below[i][j]),
         };
-        let mu = core::array::from_fn(|i| core::array::from_fn(|j| mu(i, j)));
+        let mu = array(|i| array(|j| mu(i, j)));
         Self { system, constants, table, from, h, u, weights, mu }
     }
 
@@ -196,7 +197,7 @@ where
     /// The average over the step of a function with these values at the stages.
     fn average(&self, values: &[[S::Scalar; N]; STAGES]) -> [S::Scalar; N] {
         let share = |i: usize, n: usize| self.weights[i] / self.h * values[i][n];
-        core::array::from_fn(|n| (0..STAGES).fold(S::Scalar::zero(), |sum, i| sum + share(i, n)))
+        array(|n| (0..STAGES).fold(S::Scalar::zero(), |sum, i| sum + share(i, n)))
     }
 }
 

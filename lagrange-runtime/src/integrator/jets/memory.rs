@@ -8,13 +8,13 @@ use super::super::step_size;
 use super::{DECAY, GROWTH, ORDERS_PER_DIGIT, SAFETY, last_term, orders, steepest};
 use crate::constraints::Footing;
 use crate::linear::Independence;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::series::HIGHEST;
 use crate::system::attitude;
 use crate::system::error::Cause;
 use crate::system::limits::Limits;
-use crate::system::method::Steps;
-use crate::system::method::Terms;
+use crate::system::method::{Steps, Terms};
 use crate::system::smooth::Series;
 use crate::system::state::State;
 
@@ -188,7 +188,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
         self.unit = -self.unit;
         for rows in [&mut self.series.q, &mut self.series.v] {
             for row in rows.iter_mut().step_by(2) {
-                *row = row.map(|x| -x);
+                *row = row.each(|x| -x);
             }
         }
     }
@@ -274,11 +274,11 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     fn weights(&self, limits: &Limits<R>, span: R, part: usize) -> [[R::Lane; N]; 2] {
         let (number, zero) = (R::Lane::from_f64, R::Lane::zero());
         let [relative, absolute, span] =
-            [last_term(limits.relative), limits.absolute.unwrap_or_else(R::zero), span].map(Real::largest);
+            [last_term(limits.relative), limits.absolute.unwrap_or_else(R::zero), span].each(Real::largest);
         let series = &self.series;
         let of = |x: R| x.part(part).largest();
         let sizes = |x: &[R; N], rows: &[[R; N]; HIGHEST]| {
-            core::array::from_fn::<_, N, _>(|i| {
+            array::<_, N>(|i| {
                 larger(
                     of(x[i]).abs(),
                     larger((of(rows[0][i]) * span).abs(), (of(rows[1][i]) * span * span).abs()),
@@ -299,9 +299,9 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let absolute = number(SAFETY) * absolute * whole + step_size::smallest::<R::Lane>();
         // A tolerance below rounding applies to the coupled coordinates as well.
         let ulps = smaller(relative / R::Lane::epsilon(), R::Lane::one());
-        core::array::from_fn(|k| {
-            let known = if part == 0 { self.ulps[k].map(|ulp| ulps * of(ulp)) } else { [zero; N] };
-            core::array::from_fn(|i| larger(known[i], relative * sizes[k][i] + absolute).recip())
+        array(|k| {
+            let known = if part == 0 { self.ulps[k].each(|ulp| ulps * of(ulp)) } else { [zero; N] };
+            array(|i| larger(known[i], relative * sizes[k][i] + absolute).recip())
         })
     }
 
@@ -321,10 +321,10 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     /// follow: the last one, and the one before it reduced by the decay of an order.
     pub(super) fn last_terms(&self, theta: R) -> [State<R, N>; 2] {
         let zero = [R::zero(); N];
-        [(self.orders, R::one()), (self.orders - 1, R::from_f64(DECAY))].map(|(order, share)| {
+        [(self.orders, R::one()), (self.orders - 1, R::from_f64(DECAY))].each(|(order, share)| {
             let factor = share * theta.powi(order as i32);
             let of =
-                |rows: &[[R; N]; HIGHEST]| rows.get(order - 1).map_or(zero, |row| row.map(|x| factor * x));
+                |rows: &[[R; N]; HIGHEST]| rows.get(order - 1).map_or(zero, |row| row.each(|x| factor * x));
             State { t: self.end.t, q: of(&self.series.q), v: of(&self.series.v) }
         })
     }
@@ -349,7 +349,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         }
         // Constraints couple coordinates, so these errors are parts of the whole state in the kinetic metric.
         let share = across(last_term(limits.relative), &self.independence?).largest() / R::Lane::epsilon();
-        let weights = self.ulps.map(|ulps| ulps.map(|ulp| (share * ulp.largest()).recip()));
+        let weights = self.ulps.each(|ulps| ulps.each(|ulp| (share * ulp.largest()).recip()));
         let term = |order: usize| self.term(&weights, order, 0);
         let longer = R::splat(reach(larger(term(p), number(DECAY) * term(p - 1)), p));
         (longer > theta && longer.is_finite()).then_some(longer)

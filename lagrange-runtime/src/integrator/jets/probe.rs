@@ -4,6 +4,7 @@
 //! switch that is thrown later) is not in its coefficients, and their decay says nothing of it. So the
 //! accelerations are compared at some places of the step with those of the polynomial.
 
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::smooth::{Series, Smooth};
 use crate::system::state::State;
@@ -71,11 +72,11 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
         (0..PLACES).fold(true, |agrees, _| {
             theta += apart;
             let (gain_q, gain_v) = self.series.gain(theta, self.orders);
-            let q = core::array::from_fn(|i| self.start.q[i] + gain_q[i]);
-            let v = core::array::from_fn(|i| self.start.v[i] + gain_v[i]);
+            let q = array(|i| self.start.q[i] + gain_q[i]);
+            let v = array(|i| self.start.v[i] + gain_v[i]);
             let t = self.start.t + theta * self.unit;
             let found = self.system.accelerations_at(self.constants, t, &q, &v, self.inputs);
-            let expected = self.series.slopes(theta, self.orders).map(|slope| slope / self.unit);
+            let expected = self.series.slopes(theta, self.orders).each(|slope| slope / self.unit);
             let is_finite = found.iter().all(|found| found.is_finite());
             for (strongest, found) in strongest.iter_mut().zip(&found).filter(|(_, found)| found.is_finite())
             {

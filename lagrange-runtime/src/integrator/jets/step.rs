@@ -6,6 +6,7 @@ use super::super::step_size;
 use super::expansion::expand;
 use super::probe::{self, PLACES, Probe};
 use super::{Jets, JetsMemory, singular};
+use crate::number::elements::Each;
 use crate::number::real::{Ordered, Real, smaller};
 use crate::system::attitude;
 use crate::system::control::Held;
@@ -127,7 +128,7 @@ where
     }
     loop {
         let check = Check { system, constants, inputs: &control.0, limits, from: &memory.start };
-        let slopes = |theta| memory.series.slopes(theta, memory.orders).map(|slope| slope / memory.unit);
+        let slopes = |theta| memory.series.slopes(theta, memory.orders).each(|slope| slope / memory.unit);
         let on_the_way = |landing: &Landing<S::Scalar, N>| {
             !S::STEEP
                 || (1..PLACES).all(|place| {

@@ -3,6 +3,7 @@
 
 use super::{Check, relative};
 use crate::constraints::Footing;
+use crate::number::elements::Each;
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::state::State;
@@ -39,7 +40,7 @@ where
     ) -> S::Scalar {
         let sizes = self.sizes(end, (end.t - self.from.t).abs(), footing);
         let [q, v] =
-            sizes.of.map(|size| footing.metric.at_extent(relative(self.limits) * size + sizes.absolute));
+            sizes.of.each(|size| footing.metric.at_extent(relative(self.limits) * size + sizes.absolute));
         S::Scalar::from_f64(ULPS) * S::Scalar::epsilon() * here.abs()
             + blurred(self.system, self.constants, end, [q, v])
     }

@@ -2,6 +2,7 @@
 
 use crate::linear::Independence;
 use crate::linear::schur::{SMALL, Schur};
+use crate::number::elements::Each;
 use crate::number::real::Real;
 
 use super::vectors::{add_product, dot, multiply, subtract_product, transposed};
@@ -85,6 +86,6 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<
 
     #[inline]
     fn units(&self) -> [R; N] {
-        self.inverse_masses.map(R::sqrt)
+        self.inverse_masses.each(R::sqrt)
     }
 }

@@ -14,6 +14,7 @@
 
 use super::vectors::{pick, put};
 use crate::linear::Lu;
+use crate::number::elements::array;
 use crate::number::real::Real;
 
 /// The most steps of Newton's method. It converges by squares, and from N = 0 without turning back.
@@ -69,7 +70,7 @@ impl<R: Real, const C: usize> Loads<R, C> {
     pub(super) fn new(table: &'static [Load], shares: &[[R; C]; C], linear: &Lu<R, C>) -> Option<Self> {
         let mut response = [[R::zero(); C]; C];
         for (row, _) in sizes(table) {
-            let unit = core::array::from_fn(|index| if index == row { R::one() } else { R::zero() });
+            let unit = array(|index| if index == row { R::one() } else { R::zero() });
             *response.get_mut(row)? = linear.solve(unit);
         }
         let this = Self { table, shares: *shares, response };
@@ -154,9 +155,8 @@ impl<R: Real, const C: usize> Loads<R, C> {
         let mut multipliers = *free;
         let mut has_converged = false;
         for _ in 0..ITERATIONS {
-            let mut matrix: [[R; C]; C] = core::array::from_fn(|row| {
-                core::array::from_fn(|column| if row == column { R::one() } else { R::zero() })
-            });
+            let mut matrix: [[R; C]; C] =
+                array(|row| array(|column| if row == column { R::one() } else { R::zero() }));
             let mut right = [R::zero(); C];
             let mut is_linear = true;
             for (row, parts) in sizes(self.table) {

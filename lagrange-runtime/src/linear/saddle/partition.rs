@@ -7,6 +7,7 @@
 //! [`Range`](super::range::Range) decides.
 
 use crate::linear::independence::{CLEAR, Independence};
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 
 use super::Split;
@@ -35,7 +36,7 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     // computed up to the diagonal only: constant indices and lengths are faster than half the work.
     let mut parts = [[R::zero(); C]; C];
     // The coordinate of each row, then those that stay free.
-    let mut places: [usize; N] = core::array::from_fn(|i| i);
+    let mut places: [usize; N] = array(|i| i);
     // The coordinate of each row.
     let mut leads = [0; C];
     let mut rank = 0;
@@ -75,7 +76,7 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     }
     for k in (0..C).filter(|&k| is_active(k)) {
         let unit = pick(&scaled.units, leads[k]);
-        put(&mut split.inverse, leads[k], parts[k].map(|x| x * unit));
+        put(&mut split.inverse, leads[k], parts[k].each(|x| x * unit));
     }
     for (vector, &free) in split.null.iter_mut().zip(&places).skip(count) {
         put(vector, free, pick(&scaled.units, free));
@@ -91,8 +92,8 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
 /// others.
 #[inline(always)]
 fn largest<R: Real, const N: usize>(row: &[R; N]) -> usize {
-    let mut places: [usize; N] = core::array::from_fn(|i| i);
-    let mut sizes = row.map(|x| smallest(x.abs()));
+    let mut places: [usize; N] = array(|i| i);
+    let mut sizes = row.each(|x| smallest(x.abs()));
     let mut length = N;
     while length > 1 {
         let half = length.div_ceil(2);

@@ -7,6 +7,7 @@
 //! "Stability of Householder QR factorization for weighted least squares problems", 1998), and it needs no
 //! exchange of coordinates. Nothing depends on which coordinate that is, so lanes that disagree do no harm.
 
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 
 use super::Split;
@@ -46,12 +47,12 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
         Self {
             units: scaled.units,
             sizes: scaled.sizes,
-            order: core::array::from_fn(|c| c),
+            order: array(|c| c),
             reflectors: [[zero; N]; C],
             beta: [zero; C],
             lower: [[zero; C]; C],
             inverse: [zero; C],
-            leads: core::array::from_fn(|i| i),
+            leads: array(|i| i),
             rank: C.min(N),
             least: R::one(),
             closest: 0,
@@ -67,7 +68,7 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
         }
         let mut this = Self::new(scaled);
         let mut rows = scaled.rows;
-        let whole: [R; C] = core::array::from_fn(|c| dot(&rows[c], &rows[c]));
+        let whole: [R; C] = array(|c| dot(&rows[c], &rows[c]));
         let mut squares = whole;
         for k in 0..C {
             let square = squares[k];
@@ -91,7 +92,7 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
             }
         }
         let mut this = Self { vanishing, ..Self::new(scaled) };
-        let mut squares: [R; C] = core::array::from_fn(|c| dot(&rows[c], &rows[c]));
+        let mut squares: [R; C] = array(|c| dot(&rows[c], &rows[c]));
         let least = dependent::<R>() * dependent();
         for k in 0..C.min(N) {
             let longest = best(&squares, least);
@@ -166,7 +167,7 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
     /// of Aᵀ.
     pub(in crate::linear) fn split(&self) -> Split<R, N, C> {
         let rank = self.rank.min(C).min(N);
-        let mut basis = self.leads.map(unit);
+        let mut basis = self.leads.each(unit);
         for j in (0..rank).rev() {
             for vector in basis.iter_mut().skip(j) {
                 let along = dot(&self.reflectors[j], vector) * self.beta[j];

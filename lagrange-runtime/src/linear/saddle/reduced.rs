@@ -1,5 +1,6 @@
 //! The equations of motion in the null space of the constraints: B X = Z with B = Zᵀ M Z.
 
+use crate::number::elements::Each;
 use crate::number::real::Real;
 
 use super::symmetric;
@@ -98,9 +99,9 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
         // similar sizes, so the sum serves for all.
         let mut total = R::zero();
         for vector in basis.iter().skip(rank) {
-            let sizes = vector.map(R::abs);
+            let sizes = vector.each(R::abs);
             for (row, &size) in mass.iter().zip(&sizes) {
-                total += dot(&row.map(R::abs), &sizes) * size;
+                total += dot(&row.each(R::abs), &sizes) * size;
             }
         }
         let least = R::from_f64(4.0) * R::epsilon() * total;

@@ -4,6 +4,7 @@
 //! all of them, and a row of A in units of the sum of its magnitudes. Decisions and rounding errors are then
 //! independent of the user's units.
 
+use crate::number::elements::array;
 use crate::number::real::Real;
 
 use super::Defect;
@@ -96,7 +97,7 @@ fn completed<R: Real, const N: usize, const C: usize>(mass: &[[R; N]; N], a: &[[
         let column = |i: usize, sizes: [R; C]| {
             (0..C).map(|c| if usable(&sizes[c]) { a[c][i].abs() / sizes[c] } else { zero }).sum::<R>()
         };
-        let sizes = core::array::from_fn(size);
+        let sizes = array(size);
         for i in 0..N {
             if !usable(&known[i]) {
                 let coupling = (0..N).map(|j| entry(i, j) * known[j]).sum::<R>().recip();

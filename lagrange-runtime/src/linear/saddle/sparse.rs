@@ -15,6 +15,7 @@ use crate::linear::Independence;
 use crate::linear::gradients::{Gradients, SparseRows, entry};
 use crate::linear::schur::{LEAST, REFINED, Schur};
 use crate::linear::stored::Stored;
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 
 use super::{Defect, SaddlePoint};
@@ -178,7 +179,7 @@ impl<R: Real, const N: usize, const C: usize, const A: usize, const L: usize> Sp
         if order <= REFINED && self.independence.rank == C {
             let driven = self.gradients.drive([R::zero(); N], &self.inverse_masses, &kappa);
             let rates: [R; C] = self.gradients.rates(&driven);
-            let more = self.multipliers(&core::array::from_fn(|c| y[c] - rates[c]));
+            let more = self.multipliers(&array(|c| y[c] - rates[c]));
             for (kappa, more) in kappa.iter_mut().zip(more) {
                 *kappa += more;
             }
@@ -218,7 +219,7 @@ impl<R: Real, const N: usize, const C: usize, const A: usize, const L: usize> Sa
             *free *= inverse;
         }
         let rates: [R; C] = self.gradients.rates(&free);
-        let kappa = self.multipliers(&core::array::from_fn(|c| y[c] - rates[c]));
+        let kappa = self.multipliers(&array(|c| y[c] - rates[c]));
         (self.gradients.drive(free, &self.inverse_masses, &kappa), kappa)
     }
 
@@ -250,6 +251,6 @@ impl<R: Real, const N: usize, const C: usize, const A: usize, const L: usize> Sa
 
     #[inline]
     fn units(&self) -> [R; N] {
-        self.inverse_masses.map(R::sqrt)
+        self.inverse_masses.each(R::sqrt)
     }
 }

@@ -15,6 +15,7 @@ use super::loads::{Load, Loads};
 use super::vectors::{add_scaled, pick, put};
 use super::{Defect, Saddle, SaddlePoint};
 use crate::linear::{Independence, Lu};
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 
 /// The inverse of a saddle-point system, rows of which are active or not.
@@ -84,7 +85,7 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
         active: &[R; C],
         loaded: Option<(&[[R; C]; C], &'static [Load])>,
     ) -> Self {
-        let active = active.map(|x| x.is_positive());
+        let active = active.each(|x| x.is_positive());
         let saddle = Saddle::with_active::<DEFINITE>(mass, a, &active);
         let mut this = Self { saddle, driven: [[R::zero(); N]; C], jam: Jam::None };
         let mut matrix = [[R::zero(); C]; C];
@@ -170,7 +171,7 @@ impl<R: Real, const C: usize> Jam<R, C> {
     /// substitution needs no pivots.
     #[inline]
     fn single(matrix: &[[R; C]; C], row: usize) -> Self {
-        let column: [R; C] = core::array::from_fn(|i| pick(&matrix[i], row));
+        let column: [R; C] = array(|i| pick(&matrix[i], row));
         let own = pick(&column, row);
         // The entry is one plus the effect of friction on the reaction.
         let size = R::one() + (own - R::one()).abs();

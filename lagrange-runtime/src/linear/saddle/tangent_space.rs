@@ -3,6 +3,7 @@
 use super::range::Range;
 use super::scaled::Scaled;
 use super::symmetric;
+use crate::number::elements::Each;
 use crate::number::real::Real;
 
 /// Vectors that span the null space of A.
@@ -21,7 +22,7 @@ impl<R: Real, const N: usize> TangentSpace<R, N> {
     /// that the constraints suggest takes its place. Without rows it is all of space, as unit vectors.
     pub fn new<const C: usize>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
         let scaled = Scaled::new(&symmetric(mass), a);
-        let metric = scaled.units.map(|unit| (unit * unit).recip());
+        let metric = scaled.units.each(|unit| (unit * unit).recip());
         let mut vectors = [[R::zero(); N]; N];
         if C == 0 {
             for (i, vector) in vectors.iter_mut().enumerate() {

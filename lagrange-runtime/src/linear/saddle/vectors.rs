@@ -1,5 +1,6 @@
 //! Sums over vectors of fixed length, in an order that the processor need not wait for.
 
+use crate::number::elements::Each;
 use crate::number::real::Real;
 
 /// aᵀ b in four partial sums.
@@ -104,7 +105,7 @@ pub(in crate::linear) fn subtract_product<R: Real, const K: usize, const N: usiz
     rows: &[[R; N]; K],
     factors: &[R; K],
 ) -> [R; N] {
-    add_product(start, rows, &factors.map(|x| -x))
+    add_product(start, rows, &factors.each(|x| -x))
 }
 
 /// The smallest lane.

@@ -7,6 +7,7 @@ use crate::integrator::landing::NOISE;
 use crate::integrator::landing::energy::{blurred, energy};
 use crate::integrator::lengths::PARTS;
 use crate::linear::determined;
+use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::System;
 use crate::system::error::Cause;
@@ -137,7 +138,7 @@ pub(super) fn lost<S: System<N, K>, const N: usize, const K: usize>(
         return by_speed;
     }
     let size = metric.extent(&end.q).max(speed * (end.t - from.t).abs());
-    let [q, v] = [size, speed].map(|size| metric.at_extent(relative * size));
+    let [q, v] = [size, speed].each(|size| metric.at_extent(relative * size));
     let own = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon() * here.abs();
     // The lanes that need the second bound.
     (change - own - blurred(system, constants, end, [q, v])).where_positive(by_speed, by_speed)

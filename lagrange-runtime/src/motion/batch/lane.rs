@@ -1,5 +1,6 @@
 //! The numbers of one lane of a state.
 
+use crate::number::elements::Each;
 use crate::number::real::{Real, Vector};
 use crate::system::state::State;
 
@@ -10,7 +11,7 @@ pub(super) fn zeros<R: Real, const N: usize>() -> State<R, N> {
 
 /// The numbers of a lane.
 pub fn get<R: Vector, const N: usize>(state: &State<R, N>, lane: usize) -> State<R::Lane, N> {
-    State { t: state.t.lane(lane), q: state.q.map(|x| x.lane(lane)), v: state.v.map(|x| x.lane(lane)) }
+    State { t: state.t.lane(lane), q: state.q.each(|x| x.lane(lane)), v: state.v.each(|x| x.lane(lane)) }
 }
 
 /// Replaces the numbers of a lane.

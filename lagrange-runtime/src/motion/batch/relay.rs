@@ -21,6 +21,7 @@ use super::{ORDERS_PER_DIGIT, tolerated};
 use crate::integrator::dop853::add;
 use crate::integrator::jets::{NEAR, SAFETY, last_term, orders};
 use crate::integrator::step_size;
+use crate::number::elements::Each;
 use crate::number::real::{Real, Vector, larger, smaller};
 use crate::series::HIGHEST;
 use crate::system::attitude;
@@ -258,7 +259,7 @@ where
         let Limits { relative, absolute, .. } = self.limits;
         let absolute =
             absolute.map_or(Zero::zero(), |absolute| Lane::<S::Scalar>::from_f64(SAFETY) * absolute);
-        let last_terms = [last_term(relative), absolute + step_size::smallest()].map(S::Scalar::splat);
+        let last_terms = [last_term(relative), absolute + step_size::smallest()].each(S::Scalar::splat);
         tolerated::<S, N, K>(&self.state, &self.series, last_terms, self.orders, span)
     }
 

@@ -4,6 +4,7 @@ use num_traits::Zero;
 
 use super::Guard;
 use crate::motion::simulation::Simulation;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::system::System;
 use crate::system::control::Control;
@@ -103,7 +104,7 @@ where
         let far = magnitudes(&near, &self.rounded(to));
         let at_from = self.sensitivity(from, &far, [&magnitudes(from, from), &near, &far]);
         let [at_to] = self.sensitivity(to, &far, [&far]);
-        let [start, near, far] = at_from.map(|size| factor * size);
+        let [start, near, far] = at_from.each(|size| factor * size);
 
         let (mut largest, mut change) = (zero, zero);
         let mut last = self.at(from);
@@ -131,7 +132,7 @@ where
         let part = ((state.t - start.t) / (end.t - start.t)).abs();
         let part = if part.is_finite() { part } else { S::Scalar::zero() };
         let of = |start: &[S::Scalar; N], end: &[S::Scalar; N]| {
-            core::array::from_fn(|i| larger(start[i].abs(), ((end[i] - start[i]) * part).abs()))
+            array(|i| larger(start[i].abs(), ((end[i] - start[i]) * part).abs()))
         };
         let sum = State { t: state.t, q: of(&start.q, &end.q), v: of(&start.v, &end.v) };
         magnitudes(&sum, state)
@@ -155,7 +156,7 @@ where
                 continue;
             }
             let along = |step: S::Scalar| {
-                let [up, down] = [step, -step].map(|step| {
+                let [up, down] = [step, -step].each(|step| {
                     let mut moved = *state;
                     let x = if i < N { &mut moved.q[i] } else { &mut moved.v[i - N] };
                     *x += step;
@@ -176,6 +177,6 @@ where
 
 /// The larger of the components of two states, without signs.
 fn magnitudes<R: Ordered, const N: usize>(a: &State<R, N>, b: &State<R, N>) -> State<R, N> {
-    let of = |a: &[R; N], b: &[R; N]| core::array::from_fn(|i| larger(a[i].abs(), b[i].abs()));
+    let of = |a: &[R; N], b: &[R; N]| array(|i| larger(a[i].abs(), b[i].abs()));
     State { t: b.t, q: of(&a.q, &b.q), v: of(&a.v, &b.v) }
 }

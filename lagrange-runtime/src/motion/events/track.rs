@@ -3,6 +3,7 @@
 use super::interval::{Interval, POINTS, Watched};
 use super::{Crossing, Guard};
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved, Zeros};
+use crate::number::elements::Each;
 use crate::number::real::{Ordered, larger, smaller};
 use crate::system::System;
 use crate::system::control::Control;
@@ -157,7 +158,7 @@ impl<R: Ordered> Track<R> {
         G: Guard<S, R, N>,
     {
         let [first, .., last] = states;
-        let [from, to] = [first, last].map(|state| watched.at(state));
+        let [from, to] = [first, last].each(|state| watched.at(state));
         if !(from.is_finite() && to.is_finite()) {
             return false;
         }
@@ -217,7 +218,7 @@ impl<R: Ordered> Track<R> {
                 let theta = if theta > after { theta } else { after };
                 let part = R::from_f64(PART);
                 let [low, high] =
-                    [larger(theta - part, R::zero()), smaller(theta + part, R::one())].map(|theta| {
+                    [larger(theta - part, R::zero()), smaller(theta + part, R::one())].each(|theta| {
                         let t = interval.time(theta);
                         (t, watched.at_time(t, &mut error))
                     });

@@ -8,6 +8,7 @@
 //! without loss: their sum of magnitudes bounds all that is added on the way (R. T. Farouki, "The Bernstein
 //! polynomial basis: a centennial retrospective", Computer Aided Geometric Design 29, 2012).
 
+use crate::number::elements::Each;
 use crate::number::real::{Ordered, Real, larger};
 use crate::series::taylor::{TERMS, Taylor, shift};
 
@@ -303,7 +304,7 @@ fn with_slope<R: Ordered>(polynomial: &[R], theta: R) -> [R; 2] {
 /// guard. Every other term of an even or odd function is zero.
 pub(crate) fn reach<R: Ordered>(guard: &Taylor<R>, order: usize, share: R) -> R {
     let mut reach = R::one();
-    let last = [order, order.saturating_sub(1)].map(|order| {
+    let last = [order, order.saturating_sub(1)].each(|order| {
         let term = guard.coefficients.get(order).copied().unwrap_or(R::zero()).abs();
         (term, order.max(1) as i32)
     });
@@ -326,7 +327,7 @@ pub(crate) fn reach<R: Ordered>(guard: &Taylor<R>, order: usize, share: R) -> R 
 /// factors of four. Roundings grow with the guard, and with what it is made of.
 pub(crate) fn clear<R: Ordered>(guard: &Taylor<R>, own: R) -> R {
     let mut clear = R::one();
-    let [first, second, ..] = guard.coefficients.map(Real::abs);
+    let [first, second, ..] = guard.coefficients.each(Real::abs);
     let drowned = R::from_f64(DROWNED);
     for _ in 0..AGREED {
         // What is nothing but roundings is so on each part of it.

@@ -2,6 +2,7 @@
 
 use super::polynomial::{DEGREE, Polynomial, derivative};
 use super::{Memory, Side};
+use crate::number::elements::Each;
 use crate::number::real::Ordered;
 
 /// How often a step is halved at most. The noise ends it much earlier.
@@ -93,7 +94,7 @@ impl<R: Ordered> Pieces<R> {
             let between = low + width * R::from_f64(0.5);
             let smallest = level >= LEVELS || between <= low || between >= high;
             let monotone = slope.abs() >= variation || smallest;
-            monotone.then(|| Piece { ends, sides: ends.map(|end| self.side(end)), certain: false })
+            monotone.then(|| Piece { ends, sides: ends.each(|end| self.side(end)), certain: false })
         };
         (piece, degree as u8)
     }

@@ -6,6 +6,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 use num_traits::{One, Zero};
 
 use super::Real;
+use crate::number::elements::Each;
 
 /// A number with its derivatives in `D` directions: value + Σ slopeᵢ εᵢ with εᵢ εⱼ = 0 (forward accumulation;
 /// Griewank and Walther, *Evaluating Derivatives*, 2nd ed., chapter 3).
@@ -50,7 +51,7 @@ impl<R: Real, const D: usize> Dual<R, D> {
     /// A function of this number with its derivative.
     #[inline(always)]
     fn with(self, value: R, slope: R) -> Self {
-        Self { value, slopes: self.slopes.map(|x| scaled(x, slope)) }
+        Self { value, slopes: self.slopes.each(|x| scaled(x, slope)) }
     }
 
     /// A function of two numbers with its derivatives by both.
@@ -116,7 +117,7 @@ impl<R: Real, const D: usize> Neg for Dual<R, D> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self { value: -self.value, slopes: self.slopes.map(|slope| -slope) }
+        Self { value: -self.value, slopes: self.slopes.each(|slope| -slope) }
     }
 }
 

@@ -7,6 +7,7 @@ use num_traits::{One, Zero};
 use wide::{f32x4, f32x8, f64x2, f64x4, f64x8};
 
 use super::{Real, Vector};
+use crate::number::elements::{Each, array};
 
 /// A SIMD vector as a scalar: `Lanes<f64x4>`, `Lanes<f64x8>`, `Lanes<f32x8>`, …
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -109,7 +110,7 @@ macro_rules! lanes {
             #[inline]
             fn signum(self) -> Self {
                 let lanes: [$lane; $count] = self.0.into();
-                Self($vector::from(lanes.map($lane::signum)))
+                Self($vector::from(lanes.each($lane::signum)))
             }
 
             #[inline]
@@ -130,9 +131,9 @@ macro_rules! lanes {
 
             #[inline]
             fn where_positive(self, sign: Self, other: Self) -> Self {
-                let [sign, this, other] = [sign, self, other].map(<[$lane; $count]>::from);
+                let [sign, this, other] = [sign, self, other].each(<[$lane; $count]>::from);
                 let lane = |k: usize| if sign[k] > 0.0 { this[k] } else { other[k] };
-                Self($vector::from(core::array::from_fn::<$lane, $count, _>(lane)))
+                Self($vector::from(array::<$lane, $count>(lane)))
             }
 
             #[inline(always)]
@@ -165,7 +166,7 @@ macro_rules! lanes {
                 let powers: [$lane; $count] = self.powf(exponent).0.into();
                 let logarithms: [$lane; $count] = self.0.ln().into();
                 let lane = |k: usize| if powers[k] == 0.0 { 0.0 } else { powers[k] * logarithms[k] };
-                Self($vector::from(core::array::from_fn::<$lane, $count, _>(lane)))
+                Self($vector::from(array::<$lane, $count>(lane)))
             }
 
             lanes!(@forward exp ln sqrt abs asin acos atan sinh cosh tanh exp_m1 ln_1p cbrt);

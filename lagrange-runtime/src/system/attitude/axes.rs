@@ -6,6 +6,7 @@
 use nalgebra::{SMatrix, Vector3};
 
 use super::{rates, triple};
+use crate::number::elements::{Each, array};
 use crate::number::real::{Dual, Real};
 use crate::system::state::State;
 
@@ -44,9 +45,9 @@ impl<R: Real, const N: usize> BodyAxes<R, N> {
         let found = self.changed_at(a, |first, rho, a| {
             let slopes = triple(&v, first);
             let dual = |x: [R; 3], slope: [R; 3]| -> [Dual<R, 1>; 3] {
-                core::array::from_fn(|i| Dual { value: x[i], slopes: [slope[i]] })
+                array(|i| Dual { value: x[i], slopes: [slope[i]] })
             };
-            angular(dual(rho, slopes), dual(slopes, a)).map(|x| x.slopes[0])
+            angular(dual(rho, slopes), dual(slopes, a)).each(|x| x.slopes[0])
         });
         ByName(found)
     }
@@ -67,7 +68,7 @@ impl<R: Real, const N: usize> BodyAxes<R, N> {
     #[must_use]
     pub fn loads(&self, conjugate: [R; N]) -> ByName<R, N> {
         ByName(self.changed(conjugate, |rho, p| {
-            columns(rho).map(|column| column[0] * p[0] + column[1] * p[1] + column[2] * p[2])
+            columns(rho).each(|column| column[0] * p[0] + column[1] * p[1] + column[2] * p[2])
         }))
     }
 
@@ -75,10 +76,10 @@ impl<R: Real, const N: usize> BodyAxes<R, N> {
     #[inline]
     #[must_use]
     pub fn matrix(&self, mass: &SMatrix<R, N, N>) -> SMatrix<R, N, N> {
-        let half = SMatrix::<R, N, N>::from_columns(&core::array::from_fn::<_, N, _>(|j| {
+        let half = SMatrix::<R, N, N>::from_columns(&array::<_, N>(|j| {
             self.loads(mass.column(j).into_owned().into()).0.into()
         }));
-        let rows = core::array::from_fn::<_, N, _>(|i| self.loads(half.row(i).transpose().into()).0.into());
+        let rows = array::<_, N>(|i| self.loads(half.row(i).transpose().into()).0.into());
         SMatrix::<R, N, N>::from_columns(&rows).transpose()
     }
 
@@ -102,14 +103,14 @@ impl<R: Real, const N: usize> BodyAxes<R, N> {
 /// The columns of J: rates of the parameters at unit angular velocities.
 pub(super) fn columns<R: Real>(rho: [R; 3]) -> [[R; 3]; 3] {
     let (zero, one) = (R::zero(), R::one());
-    [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(|axis| rates(rho, &axis.into()))
+    [[one, zero, zero], [zero, one, zero], [zero, zero, one]].each(|axis| rates(rho, &axis.into()))
 }
 
 /// The angular velocity in body axes. J has columns of the length 1 + |ρ|²/16 =: c that are orthogonal, so
 /// that its inverse is Jᵀ/c².
 pub(super) fn angular<R: Real>(rho: [R; 3], rates: [R; 3]) -> [R; 3] {
     let c = R::one() + super::square(rho) * R::from_f64(1.0 / 16.0);
-    columns(rho).map(|column| (column[0] * rates[0] + column[1] * rates[1] + column[2] * rates[2]) / (c * c))
+    columns(rho).each(|column| (column[0] * rates[0] + column[1] * rates[1] + column[2] * rates[2]) / (c * c))
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The motion of body axes, for deviations from a motion.
 
 use super::axes::{angular, columns};
+use crate::number::elements::{Each, array};
 use crate::number::real::{Dual, Real};
 
 type Matrix<R> = [[R; 3]; 3];
@@ -13,30 +14,30 @@ type Matrix<R> = [[R; 3]; 3];
 ///
 /// and T′ is its rate along the motion, which has the `rates` ρ′ and the second rates ρ″. Rows of matrices.
 pub(crate) fn drift<R: Real>(rho: [R; 3], rates: [R; 3], seconds: [R; 3]) -> [Matrix<R>; 2] {
-    let one = |j: usize| -> [R; 3] { core::array::from_fn(|i| if i == j { R::one() } else { R::zero() }) };
-    let along = |x: [R; 3], slope: [R; 3]| -> [Dual<R, 1>; 3] {
-        core::array::from_fn(|i| Dual { value: x[i], slopes: [slope[i]] })
-    };
+    let one = |j: usize| -> [R; 3] { array(|i| if i == j { R::one() } else { R::zero() }) };
+    let along =
+        |x: [R; 3], slope: [R; 3]| -> [Dual<R, 1>; 3] { array(|i| Dual { value: x[i], slopes: [slope[i]] }) };
     // Columns, one for each axis.
-    let inverse_rate = each(|j| angular(along(rho, rates), one(j).map(Dual::constant)).map(|x| x.slopes[0]));
-    let by_place = each(|j| angular(along(rho, one(j)), rates.map(Dual::constant)).map(|x| x.slopes[0]));
+    let inverse_rate =
+        each(|j| angular(along(rho, rates), one(j).each(Dual::constant)).each(|x| x.slopes[0]));
+    let by_place = each(|j| angular(along(rho, one(j)), rates.each(Dual::constant)).each(|x| x.slopes[0]));
     let by_place_rate = each(|j| {
         let nested = |x: [R; 3], slope: [R; 3], along: [R; 3]| -> [Dual<Dual<R, 1>, 1>; 3] {
-            core::array::from_fn(|i| Dual {
+            array(|i| Dual {
                 value: Dual { value: x[i], slopes: [slope[i]] },
                 slopes: [Dual::constant(along[i])],
             })
         };
         let found = angular(nested(rho, rates, one(j)), nested(rates, seconds, [R::zero(); 3]));
-        found.map(|x| x.slopes[0].slopes[0])
+        found.each(|x| x.slopes[0].slopes[0])
     });
     let jacobian = columns(rho);
     let turned = each(|j| product(&jacobian, inverse_rate[j]));
     let rest = each(|j| {
         let known = product(&by_place, turned[j]);
-        product(&jacobian, core::array::from_fn(|i| by_place_rate[j][i] - known[i]))
+        product(&jacobian, array(|i| by_place_rate[j][i] - known[i]))
     });
-    [turned, rest].map(|columns| each(|i| core::array::from_fn(|j| columns[j][i])))
+    [turned, rest].each(|columns| each(|i| array(|j| columns[j][i])))
 }
 
 fn each<R>(column: impl FnMut(usize) -> [R; 3]) -> Matrix<R> {
@@ -45,7 +46,7 @@ fn each<R>(column: impl FnMut(usize) -> [R; 3]) -> Matrix<R> {
 
 /// A matrix given by its columns times a vector.
 fn product<R: Real>(columns: &Matrix<R>, [x, y, z]: [R; 3]) -> [R; 3] {
-    core::array::from_fn(|i| columns[0][i] * x + columns[1][i] * y + columns[2][i] * z)
+    array(|i| columns[0][i] * x + columns[1][i] * y + columns[2][i] * z)
 }
 
 #[cfg(test)]

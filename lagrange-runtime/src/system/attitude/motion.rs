@@ -4,6 +4,7 @@
 //! ρ′ = N ω with N = (1 − s) + ½ \[ρ]ₓ + ⅛ ρ ρᵀ and s = |ρ|²/16, where N Nᵀ = (1 + s)².
 
 use super::{cross, dot, rates_at, spin, square, triple};
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::series::tables::{Tables, in_line, rate};
 use crate::system::smooth::Series;
@@ -16,10 +17,10 @@ pub fn axes<R: Real, const N: usize>(q: &[R; N], first: usize) -> [[R; 3]; 3] {
     let s = square(rho) * R::from_f64(1.0 / 16.0);
     let reciprocal = R::one() / (R::one() + s);
     let scale = R::from_f64(0.5) * reciprocal;
-    let [x, y, z] = rho.map(|component| scale * component);
+    let [x, y, z] = rho.each(|component| scale * component);
     let w = (R::one() - s) * reciprocal;
     let two = R::from_f64(2.0);
-    let [xx, yy, zz] = [x, y, z].map(|component| two * component * component);
+    let [xx, yy, zz] = [x, y, z].each(|component| two * component * component);
     let [xy, yz, zx] = [two * x * y, two * y * z, two * z * x];
     let [wx, wy, wz] = [two * w * x, two * w * y, two * w * z];
     [
@@ -58,9 +59,9 @@ pub fn accelerations<R: Real, const N: usize, const O: usize>(
     for first in orientations {
         let (rho, rates, omega) = (triple(q, first), triple(v, first), triple(turning, first));
         let own = rates_at(rho, triple(&accelerations, first));
-        let along = [dot(rho, rates), dot(rho, omega), dot(rates, omega)].map(|product| product * eighth);
+        let along = [dot(rho, rates), dot(rho, omega), dot(rates, omega)].each(|product| product * eighth);
         let turned = cross(rates, omega);
-        let second = core::array::from_fn(|i| {
+        let second = array(|i| {
             own[i] + (half * turned[i] + (rates[i] * along[1] + rho[i] * along[2]) - omega[i] * along[0])
         });
         put(&mut accelerations, first, second);
@@ -122,7 +123,7 @@ fn complete_one<R: Real, const N: usize, const P: usize>(
         #[inline(always)]
         |order| {
             let rate = rate(h, order);
-            (rho, s) = (flow.map(|flow| rate * flow), rate * growth);
+            (rho, s) = (flow.each(|flow| rate * flow), rate * growth);
             let (Some(to_q), Some(to_v)) = (series.q.get_mut(order - 1), series.v.get_mut(order - 1)) else {
                 return false;
             };
@@ -135,10 +136,8 @@ fn complete_one<R: Real, const N: usize, const P: usize>(
                 sums[i] = R::mul_add(left_end[i], right_start[i], sums[i]);
             }
             a = (sums[12] + sums[13] + sums[14]) * eighth;
-            let by_a = [3, 7, 11, 15].map(|i: usize| R::mul_add(left_start[i], a, sums[i]));
-            flow = core::array::from_fn(|i| {
-                omega[i] + (half * (sums[4 + i] - sums[8 + i]) + (by_a[1 + i] - sums[i]))
-            });
+            let by_a = [3, 7, 11, 15].each(|i: usize| R::mul_add(left_start[i], a, sums[i]));
+            flow = array(|i| omega[i] + (half * (sums[4 + i] - sums[8 + i]) + (by_a[1 + i] - sums[i])));
             growth = a + by_a[0];
             put(to_v, first, flow);
             if let Some((to_left, to_right)) = tables.row(order) {

@@ -8,6 +8,7 @@ use super::super::lane::{get, set};
 use super::{Relay, Standing};
 use crate::integrator::landing::{MARGIN, NOISE};
 use crate::integrator::step_size;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Real, Vector};
 use crate::system::footing::Apart;
 use crate::system::smooth::Smooth;
@@ -81,8 +82,8 @@ where
         let absolute = self.limits.absolute.unwrap_or_else(Zero::zero) + step_size::smallest();
         let absolute = metric.extent(&[S::Scalar::splat(absolute); N]);
         let bound = |size: S::Scalar| S::Scalar::from_f64(MARGIN) * (relative * size + absolute);
-        let slopes = self.series.slopes(theta, self.orders).map(|slope| slope / self.unit);
-        let strongest: [S::Scalar; N] = core::array::from_fn(|i| slopes[i].abs().max(accelerations[i].abs()));
+        let slopes = self.series.slopes(theta, self.orders).each(|slope| slope / self.unit);
+        let strongest: [S::Scalar; N] = array(|i| slopes[i].abs().max(accelerations[i].abs()));
         let defect = metric.extent(&difference(&accelerations, &slopes)) * span;
         let excess = [
             left,
@@ -111,8 +112,8 @@ where
         let (gain_q, gain_v) = self.series.gain(theta, self.orders);
         let reached = State {
             t: times,
-            q: core::array::from_fn(|i| state.q[i] + (residue.q[i] + gain_q[i])),
-            v: core::array::from_fn(|i| state.v[i] + (residue.v[i] + gain_v[i])),
+            q: array(|i| state.q[i] + (residue.q[i] + gain_q[i])),
+            v: array(|i| state.v[i] + (residue.v[i] + gain_v[i])),
         };
         if !S::CONSTRAINED {
             return reached;

@@ -1,6 +1,8 @@
 //! Angles in quarter turns, in integers: M. H. Payne, R. N. Hanek, *Radian reduction for trigonometric
 //! functions*, SIGNUM Newsletter 18 (1983) 19.
 
+use crate::number::elements::{Each, array};
+
 /// The words of a fixed-point number that are its fraction; one more is its integer part. The lowest come
 /// first.
 const FRACTION: usize = 5;
@@ -97,7 +99,7 @@ fn sum(a: Fixed, b: Fixed) -> Fixed {
 }
 
 fn opposite(x: Fixed) -> Fixed {
-    sum(x.map(|word| !word), [1, 0, 0, 0, 0, 0])
+    sum(x.each(|word| !word), [1, 0, 0, 0, 0, 0])
 }
 
 /// The zeros of a fraction before its first bit, and the 128 bits from there.
@@ -112,7 +114,7 @@ fn leading_bits(x: &Fixed) -> (u32, u128) {
         }
         zeros += 64;
     }
-    let [second, third] = core::array::from_fn(|_| words.next().unwrap_or(0));
+    let [second, third] = array(|_| words.next().unwrap_or(0));
     let shift = first.leading_zeros();
     let top = (u128::from(first) << 64) | u128::from(second);
     match shift {
