@@ -1,8 +1,8 @@
 //! [`Rounded`]: a number with a bound of its error.
 //!
 //! Errors are followed from operation to operation, to first order (Higham, *Accuracy and Stability of
-//! Numerical Algorithms*, 3.3); in products and quotients exactly, since a factor may be a rounding error alone
-//! and a denominator nearly one.
+//! Numerical Algorithms*, 3.3); in products and quotients exactly, since a factor may be a rounding error
+//! alone and a denominator nearly one.
 
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
