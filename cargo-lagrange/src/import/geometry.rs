@@ -76,7 +76,7 @@ impl Rotation {
             [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
             [-sp, cp * sr, cp * cr],
         ];
-        // Right angles leave zeros with a sign.
+        // Right angles leave negative zeros, and adding zero takes their sign away.
         Rotation { matrix: matrix.map(|row| row.map(|entry| entry + 0.0)), angles: Some(angles) }
     }
 

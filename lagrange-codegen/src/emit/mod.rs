@@ -57,7 +57,8 @@ pub(crate) struct Emission<'a> {
     pub item: &'a Item,
     /// The scalar of the emitted code.
     pub scalar: Scalar,
-    /// Whether the code is that over any scalar, which lanes of an ensemble run on.
+    /// Whether the code is that of the equations over any scalar. Motions with derivatives and lanes of an
+    /// ensemble run on it.
     pub is_over: bool,
     pub model: &'a mut Model,
     pub equations: &'a Equations,

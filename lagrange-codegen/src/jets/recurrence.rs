@@ -66,15 +66,15 @@ pub struct Jets {
     pub program: Program,
     /// Momenta.
     pub momenta: Vec<Slot>,
-    /// Their rates.
+    /// The rates of the momenta.
     pub rates: Vec<Slot>,
     /// Reactions Aᵀμ, one for each coordinate of a constrained system.
     pub reactions: Vec<Slot>,
     /// The constraints at the level of velocities.
     pub conditions: Vec<Slot>,
-    /// Their gradients by the velocities at the point of expansion, a row each.
+    /// The gradients of `conditions` by the velocities at the point of expansion, a row each.
     pub gradients: Vec<Vec<NodeId>>,
-    /// Their rates, if these are not zero.
+    /// The rates that Baumgarte's stabilisation gives `conditions`; empty without it.
     pub relaxation: Vec<Slot>,
     /// The functions of the state that are followed along the motion.
     pub followed: Vec<Slot>,

@@ -1,4 +1,5 @@
-//! Comparisons of constants, which decide the branches.
+//! Comparisons. One of constants decides which branch is taken. One that depends on the state is a number
+//! itself, [`Value::Choice`].
 
 use super::advice::dependence_words;
 use super::interpreter::Interpreter;
@@ -9,7 +10,7 @@ use crate::expr::Dependence;
 use crate::syntax::body::BinaryOperator;
 
 impl Interpreter<'_> {
-    /// A comparison of two values, decided as Rust decides it.
+    /// A comparison of two values. That of constants is decided as Rust decides it.
     pub fn compare(&mut self, operator: BinaryOperator, left: Value, right: Value, origin: Origin) -> Value {
         let verdict = match (&left, &right) {
             (Value::Integer(a, ..), Value::Integer(b, ..)) => holds(operator, a, b),
@@ -51,7 +52,7 @@ impl Interpreter<'_> {
     }
 }
 
-/// Whether the result of an operator is a truth value.
+/// Whether an operator compares two values. `&&` and `||` do not: they join truth values.
 pub fn is_comparison(operator: BinaryOperator) -> bool {
     match operator {
         BinaryOperator::Equal

@@ -296,7 +296,8 @@ fn size(graph: &mut Graph, value: NodeId) -> NodeId {
     match graph.node(value).clone() {
         Node::Sum { offset, terms } => summed(graph, offset, terms, size),
         Node::Product(factors) => {
-            // The root of a sum of squares changes no more than the squared terms do, even where it vanishes.
+            // A root is measured by the root of the summands' sizes. For the root of a sum of squares that is
+            // right even where it vanishes: √(a² + b²) changes by no more than a and b do.
             let is_whole = |exponent: Exponent| exponent.0 > 0 && exponent.0 % 2 == 0;
             let absolute = absolute(graph, &factors, |exponent| !is_whole(exponent));
             let mut changes = Vec::new();

@@ -72,7 +72,7 @@ pub enum Law {
         fixed: NodeId,
         /// The reaction that the coefficients multiply.
         normal: Option<Normal>,
-        /// The other component of a slip in two directions, likewise.
+        /// The row of the other component of a slip in two directions, counted as in [`Normal::Row`].
         pair: Option<usize>,
     },
 }
@@ -80,7 +80,7 @@ pub enum Law {
 /// The force that the coefficient of a friction multiplies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Normal {
-    /// The reaction of a row, among all constraints and then all contacts.
+    /// The reaction of a row. Rows are all constraints, then all contacts.
     Row(usize),
     /// One of [`Model::loads`](super::Model::loads).
     Load(usize),

@@ -293,9 +293,9 @@ pub enum BinaryOperator {
     Divide,
     /// `%`.
     Remainder,
-    /// `&&` and `&`.
+    /// `&&`.
     And,
-    /// `||` and `|`.
+    /// `||`.
     Or,
     /// `==`.
     Equal,

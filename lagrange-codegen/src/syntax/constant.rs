@@ -33,7 +33,8 @@ fn fold(expr: &Expr, constants: &[Constant], depth: usize, steps: &mut usize) ->
     }
 }
 
-/// Integer arithmetic; `None` on overflow, on division by zero, and for comparisons.
+/// Integer arithmetic. `None` on overflow, on division by zero, and for operators whose result is a truth
+/// value.
 pub fn arithmetic(operator: BinaryOperator, left: i128, right: i128) -> Option<i128> {
     match operator {
         BinaryOperator::Add => left.checked_add(right),

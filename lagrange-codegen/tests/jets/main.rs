@@ -54,7 +54,8 @@ fn accelerations(model: &Model, equations: &Equations, at: &dyn Fn(Variable) -> 
     solved(columns, model.graph.evaluate(&equations.force, at))
 }
 
-/// The first coefficients are the accelerations, the second half of their rate along the motion.
+/// The first coefficients of the velocities are the accelerations. The second ones are the rates of the
+/// accelerations along the motion, divided by two.
 fn check((model, equations, jets): (Model, Equations, Option<Jets>)) {
     let jets = jets.expect("the system is smooth");
     let count = equations.force.len();

@@ -1,5 +1,6 @@
-//! Five mechanical systems as kernels of a graphics processor. Each system has a kernel of fixed steps and
-//! one under error control. A motion is a function of its index; [`spread`] scatters the starts.
+//! Five mechanical systems as kernels of a graphics processor. Each system has a kernel of fixed steps by
+//! series and one under error control; the double pendulum has one by Runge and Kutta's method as well. A
+//! motion is a function of its index; [`spread`] scatters the starts.
 //!
 //! The crate has no standard library on hosts, either. So `x.sin()` is the function of the crate `libm` on
 //! both sides, and not the host's own with other last bits.
@@ -22,7 +23,7 @@ pub type Steps = (f64, u64);
 /// The setting of motions under error control: the time of their end \[s] and the tolerance.
 pub type Until = (f64, f64);
 
-/// Where a motion ends.
+/// The state where a motion ends, or the error that ends it.
 pub type End<const N: usize> = Result<State<f64, N>, MotionError<f64>>;
 
 /// Numbers between −1 and 1 that fill the square evenly, without rounding.

@@ -100,9 +100,9 @@ pub(crate) struct Zero<R> {
     pub(crate) theta: R,
     /// The way of the guard through the zero.
     pub(crate) kind: Kind,
-    /// The side it has afterwards.
+    /// The side of the guard after the zero.
     pub(crate) side: Side,
-    /// Points around it where the guard is certain, or the ends of the step.
+    /// Points before and after the zero where the guard is certain, or the ends of the step.
     pub(crate) bracket: [R; 2],
 }
 

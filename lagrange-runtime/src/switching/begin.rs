@@ -90,7 +90,8 @@ where
         if !laws.rows.positions.iter().chain(&laws.kinks).copied().all(Real::is_finite) {
             return Err(Cause::NotFinite);
         }
-        // A function with a value but no rate has no gradient, as the distance from a centre at the centre.
+        // Where a function has a value but no rate, it has no gradient: the distance from a centre, for
+        // example, has none at the centre.
         match laws.rows.rates.iter().position(|rate| !rate.is_finite()) {
             Some(row) => Err(Cause::VanishingGradient { constraint: row, name: S::NAMES.constraint(row) }),
             None => Ok(()),

@@ -233,7 +233,7 @@ fn nothing_rests_at_infinity() {
     for power in [1.0, -1.0] {
         let found = Fading { power }.stationary_point([1.0, 0.0], &[]);
         assert!(matches!(found, Err(EquilibriumError::RanAway { coordinate: 0, .. })), "{found:?}");
-        // Into the centre, or away from it to any side.
+        // An attraction leads into the centre, and a repulsion away from it in some direction.
         let found = Fading { power }.equilibrium([1.0, 0.0], &[]);
         assert!(matches!(found, Err(EquilibriumError::RanAway { .. })), "{found:?}");
     }

@@ -97,7 +97,8 @@ const fn composed<const HALF: usize, const KICKS: usize, const DRIFTS: usize>(
     Fractions { kicks, drifts }
 }
 
-/// A palindrome from its first half, the middle included.
+/// A splitting whose kicks and drifts are palindromes, from the first half of each. Of an odd number the half
+/// ends with the middle.
 const fn mirrored<const HK: usize, const HD: usize, const KICKS: usize, const DRIFTS: usize>(
     half_kicks: [f64; HK],
     half_drifts: [f64; HD],

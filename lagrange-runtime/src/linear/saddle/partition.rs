@@ -35,9 +35,9 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     // The unit matrix with the operations on rows made so far. It is not stored in place of columns of A, nor
     // computed up to the diagonal only: constant indices and lengths are faster than half the work.
     let mut parts = [[R::zero(); C]; C];
-    // The coordinate of each row, then those that stay free.
+    // The coordinates of the rows in the order of elimination, then those that stay free.
     let mut places: [usize; N] = array(|i| i);
-    // The coordinate of each row.
+    // The coordinate of each row, by the index of the row.
     let mut leads = [0; C];
     let mut rank = 0;
     for k in 0..C {

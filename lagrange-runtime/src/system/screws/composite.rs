@@ -68,18 +68,18 @@ impl<R: Real> Pair<R> {
         Pair(self.0, plus_cross(&self.1, point, &self.0))
     }
 
-    /// A wrench, likewise.
+    /// A wrench about the point that its own point is counted from.
     pub fn wrench_from(&self, point: &Vector<R>) -> Self {
         Pair(plus_cross(&self.0, point, &self.1), self.1)
     }
 
-    /// How a twist changes what it carries: self × twist.
+    /// The rate of a twist that moves along with `self`: self × twist.
     pub fn moves(&self, twist: &Self) -> Self {
         let linear = plus_cross(&cross(&self.0, &twist.1), &self.1, &twist.0);
         Pair(cross(&self.0, &twist.0), linear)
     }
 
-    /// How it changes a wrench: self ×* wrench.
+    /// The rate of a wrench that moves along with `self`: self ×* wrench.
     pub fn turns(&self, wrench: &Self) -> Self {
         let angular = plus_cross(&cross(&self.0, &wrench.0), &self.1, &wrench.1);
         Pair(angular, cross(&self.0, &wrench.1))
@@ -163,7 +163,8 @@ impl<R: Real> Composite<R> {
     }
 }
 
-/// A vector by its components. The compiler calls a function for `map` of an array.
+/// The vector whose components a function gives. They are written out because the compiler leaves a call of a
+/// function where `map` of an array stands.
 #[inline(always)]
 pub(super) fn each<R>(part: impl Fn(usize) -> R) -> Vector<R> {
     [part(0), part(1), part(2)]

@@ -31,7 +31,7 @@ pub struct Instruction {
 /// A kernel or a function.
 #[derive(Clone, Debug, Default)]
 pub struct Function {
-    /// The names of the result and of the parameters.
+    /// The names of the results.
     pub results: Vec<String>,
     /// The names of the parameters.
     pub parameters: Vec<String>,
@@ -47,7 +47,7 @@ pub struct Function {
     pub registers: usize,
 }
 
-/// A module.
+/// A module of PTX, the contents of one file.
 #[derive(Debug, Default)]
 pub struct Module {
     /// Functions with a body.

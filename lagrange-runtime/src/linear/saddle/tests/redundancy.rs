@@ -154,7 +154,7 @@ fn rows_that_are_close_are_told_apart() {
             a[2] = core::array::from_fn(|i| a[0][i] - 2.0 * a[1][i] + distance * a[2][i]);
             let saddle = Saddle::factor(&mass, &a);
             assert_eq!((saddle.rank(), saddle.defect()), (3, None), "{distance}");
-            // An inverse has the errors of the condition, not of its square.
+            // Errors grow with the condition number of the rows, and not with its square.
             let v = noise.vector();
             let y = product(&a, &v);
             let left = product(&a, &saddle.solve(&noise.vector(), &y).0);
