@@ -198,7 +198,7 @@ fn measure(case: &Case, mut peer: Option<&mut Peer>, extent: Extent, records: &m
     let mut subjects: Vec<String> = OURS.map(str::to_owned).into();
     subjects.extend(peer.iter().flat_map(|peer| peer.subjects(case.name)));
     let runs = TOLERANCES.into_iter().flat_map(|tolerance| subjects.iter().map(move |of| (of, tolerance)));
-    let mut runs: Vec<(&String, f64, Option<(f64, f64)>)> = runs.map(|(of, at)| (of, at, None)).collect();
+    let mut runs: Vec<_> = runs.map(|(of, at)| (of, at, None::<(f64, f64)>)).collect();
     for _ in 0..extent.rounds {
         for (subject, tolerance, best) in &mut runs {
             let outcome = match (&mut peer, peer::asked(subject)) {
