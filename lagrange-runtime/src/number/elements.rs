@@ -41,16 +41,7 @@ impl<T: Copy, const N: usize> Each<T, N> for [T; N] {
 
     #[cfg(debug_assertions)]
     fn each<U: Copy>(self, mut f: impl FnMut(T) -> U) -> [U; N] {
-        if let Ok(empty) = <[U; N]>::try_from(&[][..]) {
-            return empty;
-        }
-        let mut elements = [f(self[0]); N];
-        let mut index = 1;
-        while index < N {
-            elements[index] = f(self[index]);
-            index += 1;
-        }
-        elements
+        array(|index| f(self[index]))
     }
 }
 

@@ -145,20 +145,21 @@ where
                 }
                 _ => Known::Nowhere,
             };
-            let until = match known {
-                Known::Series(End { part: until, .. }) | Known::Clear(until) => until,
-                Known::Nowhere => before,
+            let (until, end) = match known {
+                Known::Series(end) => (end.part, Some(end)),
+                Known::Clear(until) => {
+                    self.pass(guard);
+                    (until, None)
+                }
+                Known::Nowhere => {
+                    self.sample(guard);
+                    (before, None)
+                }
             };
             if until < before {
                 found = Found { first: None, until };
             }
-            let Known::Series(end) = known else {
-                match known {
-                    Known::Nowhere => self.sample(guard),
-                    Known::Clear(_) | Known::Series(_) => self.pass(guard),
-                }
-                continue;
-            };
+            let Some(end) = end else { continue };
             for direction in self.directions_of(guard) {
                 let curve = whole.take().or_else(|| self.curve(guard, direction, course, &ends.start));
                 let Some(curve) = curve else { continue };

@@ -18,10 +18,11 @@ pub(crate) fn drift<R: Real>(rho: [R; 3], rates: [R; 3], seconds: [R; 3]) -> [Ma
     let along =
         |x: [R; 3], slope: [R; 3]| -> [Dual<R, 1>; 3] { array(|i| Dual { value: x[i], slopes: [slope[i]] }) };
     // Columns, one for each axis.
-    let inverse_rate =
-        each(|j| angular(along(rho, rates), one(j).each(Dual::constant)).each(|x| x.slopes[0]));
-    let by_place = each(|j| angular(along(rho, one(j)), rates.each(Dual::constant)).each(|x| x.slopes[0]));
-    let by_place_rate = each(|j| {
+    let inverse_rate: Matrix<R> =
+        array(|j| angular(along(rho, rates), one(j).each(Dual::constant)).each(|x| x.slopes[0]));
+    let by_place: Matrix<R> =
+        array(|j| angular(along(rho, one(j)), rates.each(Dual::constant)).each(|x| x.slopes[0]));
+    let by_place_rate: Matrix<R> = array(|j| {
         let nested = |x: [R; 3], slope: [R; 3], along: [R; 3]| -> [Dual<Dual<R, 1>, 1>; 3] {
             array(|i| Dual {
                 value: Dual { value: x[i], slopes: [slope[i]] },
@@ -32,16 +33,12 @@ pub(crate) fn drift<R: Real>(rho: [R; 3], rates: [R; 3], seconds: [R; 3]) -> [Ma
         found.each(|x| x.slopes[0].slopes[0])
     });
     let jacobian = columns(rho);
-    let turned = each(|j| product(&jacobian, inverse_rate[j]));
-    let rest = each(|j| {
+    let turned: Matrix<R> = array(|j| product(&jacobian, inverse_rate[j]));
+    let rest: Matrix<R> = array(|j| {
         let known = product(&by_place, turned[j]);
         product(&jacobian, array(|i| by_place_rate[j][i] - known[i]))
     });
-    [turned, rest].each(|columns| each(|i| array(|j| columns[j][i])))
-}
-
-fn each<R>(column: impl FnMut(usize) -> [R; 3]) -> Matrix<R> {
-    core::array::from_fn(column)
+    [turned, rest].each(|columns| array(|i| array(|j| columns[j][i])))
 }
 
 /// A matrix given by its columns times a vector.
