@@ -1,12 +1,15 @@
 //! [`Gpu`] and [`Kernels`]: a processor and the kernels loaded on it.
 
+use std::fs;
 use std::panic::catch_unwind;
+use std::path::Path;
 use std::sync::Arc;
 
 use cudarc::driver::sys::{self, CUresult};
 use cudarc::driver::{
     CudaContext, CudaFunction, CudaModule, CudaSlice, CudaStream, DriverError, LaunchConfig, PushKernelArg,
 };
+use cudarc::nvrtc::Ptx as Image;
 
 use crate::error::Error;
 use crate::kernel::{Kernel, MISMATCHED};
@@ -18,8 +21,12 @@ use crate::words::Words;
 /// threads; blocks of two warps leave the least of it empty.
 const BLOCK: u32 = 64;
 
-/// Motions of a launch: many times what any processor holds at once, and soon done.
-const LAUNCH: u64 = 1 << 21;
+/// Motions of a launch: several times what any processor holds at once. The rows of a launch are copied while
+/// the next one runs.
+const LAUNCH: u64 = 1 << 18;
+
+/// Launches at a time: one runs while the rows of the other are copied.
+const TURNS: usize = 2;
 
 /// A graphics processor of NVIDIA.
 #[derive(Clone, Debug)]
@@ -67,7 +74,8 @@ impl Gpu {
         self.number
     }
 
-    /// Compiles kernels for this processor.
+    /// Compiles kernels for this processor. The first time this takes as long as assembling them: minutes for
+    /// those of the repository. [`Gpu::load_assembled`] takes none.
     ///
     /// # Errors
     /// [`Error::Refused`], [`Error::WrongVersion`], [`Error::OutOfMemory`], [`Error::Driver`].
@@ -75,13 +83,27 @@ impl Gpu {
         let module = self.context.load_module(ptx.text(arithmetic).into());
         let needed =
             || format!("a driver for PTX {} and a processor {} or later", ptx.version(), ptx.target());
-        let module = module.map_err(|error| Error::of_loading(error, needed))?;
-        Ok(Kernels {
-            module,
-            stream: self.context.default_stream(),
-            context: self.context.clone(),
-            arithmetic,
-        })
+        self.kernels(module.map_err(|error| Error::of_loading(error, needed))?, arithmetic)
+    }
+
+    /// Loads kernels that `ptxas` has assembled for this kind of processor, at once. `arithmetic` is that of
+    /// the text from which they were assembled: `scripts/gpu.sh assemble` leaves `kernels.cubin`, which is
+    /// exact, and `fused.cubin`.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`], [`Error::Refused`], [`Error::WrongVersion`], [`Error::OutOfMemory`],
+    /// [`Error::Driver`].
+    pub fn load_assembled(&self, path: impl AsRef<Path>, arithmetic: Arithmetic) -> Result<Kernels, Error> {
+        let path = path.as_ref();
+        let unreadable = |source| Error::Unreadable { path: path.to_owned(), source };
+        let module = self.context.load_module(Image::from_binary(fs::read(path).map_err(unreadable)?));
+        let needed = || format!("the processor for which {} was assembled", path.display());
+        self.kernels(module.map_err(|error| Error::of_loading(error, needed))?, arithmetic)
+    }
+
+    fn kernels(&self, module: Arc<CudaModule>, arithmetic: Arithmetic) -> Result<Kernels, Error> {
+        let streams = [self.context.new_stream()?, self.context.new_stream()?];
+        Ok(Kernels { module, streams, context: self.context.clone(), arithmetic })
     }
 }
 
@@ -90,8 +112,18 @@ impl Gpu {
 pub struct Kernels {
     context: Arc<CudaContext>,
     module: Arc<CudaModule>,
-    stream: Arc<CudaStream>,
+    /// Launches and copies take turns on these.
+    streams: [Arc<CudaStream>; TURNS],
     arithmetic: Arithmetic,
+}
+
+/// The motions of a launch.
+#[derive(Clone, Copy, Debug)]
+struct Launch {
+    first: u64,
+    count: u64,
+    /// The stream and the cells that it has.
+    turn: usize,
 }
 
 impl Kernels {
@@ -119,33 +151,54 @@ impl Kernels {
         let mut words = vec![0; S::WORDS.max(1)];
         let mut places = words.iter_mut();
         setting.put(&mut |word| places.next().into_iter().for_each(|place| *place = word));
-        let words = self.stream.clone_htod(&words)?;
+        let words = self.streams[0].clone_htod(&words)?;
+        self.streams[0].synchronize()?;
         let mut rows = Rows::new(kernel, setting, count, self.batch::<R>(count)?);
         let columns = 1 + R::WORDS;
-        let mut cells = self.stream.alloc_zeros(index(rows.batch) * columns)?;
-        for first in (0..count).step_by(index(rows.batch)) {
-            let length = rows.batch.min(count - first);
-            self.launch(&function, [first, length, kernel.shape()], &words, &mut cells)?;
-            // The copy waits for the launch, and ends in its error.
-            let part = self.stream.clone_dtoh(&cells.slice(..index(length) * columns))?;
-            self.stream.synchronize()?;
-            if part.first() == Some(&MISMATCHED) {
-                return Err(Error::Mismatched { name: name() });
+        let room = index(rows.batch) * columns;
+        let mut cells = [self.streams[0].alloc_zeros(room)?, self.streams[1].alloc_zeros(room)?];
+        let mut running = None;
+        for (first, turn) in (0..count).step_by(index(rows.batch)).zip((0..TURNS).cycle()) {
+            let launch = Launch { first, count: rows.batch.min(count - first), turn };
+            self.launch(&function, &launch, kernel.shape(), &words, &mut cells[turn])?;
+            if let Some(last) = running.replace(launch) {
+                self.take(&mut rows, &last, &cells[last.turn])?;
             }
-            rows.add(part);
-            let sample = first + length / 2;
-            if self.arithmetic == Arithmetic::Exact && !rows.is_that_of_the_function(sample) {
-                return Err(Error::Differs { name: name(), index: sample });
-            }
+        }
+        if let Some(last) = running {
+            self.take(&mut rows, &last, &cells[last.turn])?;
         }
         Ok(rows)
     }
 
-    /// Motions of a launch: their rows take a quarter of the free memory at most.
+    /// Waits for a launch and takes its rows.
+    fn take<S: Words, R: Words, E>(
+        &self,
+        rows: &mut Rows<S, R, E>,
+        launch: &Launch,
+        cells: &CudaSlice<u64>,
+    ) -> Result<(), Error> {
+        let stream = &self.streams[launch.turn];
+        // The copy waits for the launch, and ends in its error.
+        let part = stream.clone_dtoh(&cells.slice(..index(launch.count) * (1 + R::WORDS)))?;
+        stream.synchronize()?;
+        let name = rows.kernel().name().to_owned();
+        if part.first() == Some(&MISMATCHED) {
+            return Err(Error::Mismatched { name });
+        }
+        rows.add(part);
+        let sample = launch.first + launch.count / 2;
+        if self.arithmetic == Arithmetic::Exact && !rows.is_that_of_the_function(sample) {
+            return Err(Error::Differs { name, index: sample });
+        }
+        Ok(())
+    }
+
+    /// Motions of a launch: the rows of two take a quarter of the free memory at most.
     fn batch<R: Words>(&self, count: u64) -> Result<u64, Error> {
         let (free, _) = self.context.mem_get_info()?;
         let row = 8 * (1 + R::WORDS as u64);
-        let most = free as u64 / 4 / row;
+        let most = free as u64 / 4 / TURNS as u64 / row;
         if most == 0 { Err(Error::OutOfMemory) } else { Ok(count.min(LAUNCH).min(most).max(1)) }
     }
 
@@ -153,13 +206,14 @@ impl Kernels {
     fn launch(
         &self,
         function: &CudaFunction,
-        [first, count, shape]: [u64; 3],
+        &Launch { first, count, turn }: &Launch,
+        shape: u64,
         setting: &CudaSlice<u64>,
         cells: &mut CudaSlice<u64>,
     ) -> Result<(), DriverError> {
         let blocks = u32::try_from(count.div_ceil(u64::from(BLOCK))).unwrap_or(u32::MAX);
         let config = LaunchConfig { grid_dim: (blocks, 1, 1), block_dim: (BLOCK, 1, 1), shared_mem_bytes: 0 };
-        let mut launch = self.stream.launch_builder(function);
+        let mut launch = self.streams[turn].launch_builder(function);
         launch.arg(&first).arg(&count).arg(&shape).arg(setting).arg(cells);
         // SAFETY: the arguments are those of the kernels that `kernels!` makes. The kernel compares `shape`
         // with its own types before it touches a word, the setting has the words of its first half, and the

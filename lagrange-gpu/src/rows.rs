@@ -27,6 +27,11 @@ impl<S: Words, R: Words, E> Rows<S, R, E> {
         self.parts.push(part);
     }
 
+    /// The kernel that left them.
+    pub(crate) fn kernel(&self) -> &Kernel<S, R, E> {
+        &self.kernel
+    }
+
     /// The number of motions.
     pub fn count(&self) -> u64 {
         self.count

@@ -26,6 +26,7 @@
 //! | `libm` | the `libm` crate's | bare metal; the same bits on every target; wins over `std` |
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
+#![cfg_attr(target_arch = "nvptx64", feature(core_float_math))]
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "std")]

@@ -62,8 +62,9 @@ fn planets_return() -> Result<(), Box<dyn Error>> {
         let speed_squared: f64 = start.v.iter().map(|v| v * v).sum();
         let axis = 1.0 / (2.0 / start.q[0] - speed_squared / mu);
         let period = TAU * (axis.powi(3) / mu).sqrt();
-        let end = kepler_adaptive(index, &(period, 1e-13))?;
-        assert!(apart(end, start.at_time(end.t)) < 1e-10, "planet {index}: {end:?}");
+        for end in [kepler_adaptive(index, &(period, 1e-13))?, kepler_dop853(index, &(period, 1e-13))?] {
+            assert!(apart(end, start.at_time(end.t)) < 1e-10, "planet {index}: {end:?}");
+        }
         let steps = 4096;
         let end = kepler_jet6(index, &(period / steps as f64, steps))?;
         assert!(apart(end, start.at_time(end.t)) < 1e-10, "planet {index} by steps: {end:?}");
@@ -81,11 +82,13 @@ fn energy_stays() -> Result<(), Box<dyn Error>> {
             double_pendulum_rk4(index, &(1.0 / 2048.0, 2048))?,
             double_pendulum_jet6(index, &STEPS)?,
             double_pendulum_adaptive(index, &UNTIL)?,
+            double_pendulum_dop853(index, &UNTIL)?,
         ] {
             assert!((pendulum.energy(&end) - energy).abs() < 1e-6, "pendulum {index}: {end:?}");
         }
         let (chain, start) = a_chain(index);
-        for end in [links_jet6(index, &STEPS)?, links_adaptive(index, &UNTIL)?] {
+        for end in [links_jet6(index, &STEPS)?, links_adaptive(index, &UNTIL)?, links_dop853(index, &UNTIL)?]
+        {
             assert!((chain.energy(&end) - chain.energy(&start)).abs() < 1e-6, "chain {index}: {end:?}");
         }
     }
@@ -96,7 +99,11 @@ fn energy_stays() -> Result<(), Box<dyn Error>> {
 fn loops_stay_closed() -> Result<(), Box<dyn Error>> {
     for index in 0..20 {
         let (four_bar, start) = a_four_bar(index)?;
-        for end in [four_bar_jet6(index, &STEPS)?, four_bar_adaptive(index, &UNTIL)?] {
+        for end in [
+            four_bar_jet6(index, &STEPS)?,
+            four_bar_adaptive(index, &UNTIL)?,
+            four_bar_dop853(index, &UNTIL)?,
+        ] {
             let residuals = four_bar.constraint_residuals(&end);
             assert!(residuals.iter().all(|f| f.abs() < 1e-13), "linkage {index}: {residuals:?}");
             let drift = four_bar.energy(&end) - four_bar.energy(&start);
@@ -113,8 +120,9 @@ fn poles_stand_and_fall() -> Result<(), Box<dyn Error>> {
         let held = cart_pole_jet6(index, &(1.0 / 256.0, 4096))?;
         assert!(held.q[1].abs() < 0.05, "pole {index} fell: {held:?}");
         let (_, start) = a_cart_pole(index);
-        let free = cart_pole_adaptive(index, &UNTIL)?;
-        assert!(free.q[1].abs() > start.q[1].abs(), "pole {index} stays: {free:?}");
+        for free in [cart_pole_adaptive(index, &UNTIL)?, cart_pole_dop853(index, &UNTIL)?] {
+            assert!(free.q[1].abs() > start.q[1].abs(), "pole {index} stays: {free:?}");
+        }
     }
     Ok(())
 }

@@ -4,7 +4,7 @@
 //! runs over contiguous memory and has no sum to reassociate, so it vectorises. Cost: n³/6 multiplications to
 //! factor (n³/3 flops), n² to solve. Backward stable without pivoting (Higham, "Accuracy and Stability of
 //! Numerical Algorithms", 2nd ed., ch. 10). Not for indefinite matrices: those stop at the first pivot that
-//! is not positive.
+//! is not positive. Loops count: the compiler for graphics processors unrolls no loop over references.
 
 use crate::number::real::Real;
 
@@ -57,15 +57,13 @@ impl<R: Real, const N: usize> Ldlt<R, N> {
     #[must_use]
     pub fn solve(&self, b: [R; N]) -> [R; N] {
         let mut x = b;
-        for (i, row) in self.factor.iter().enumerate() {
-            let mut value = x[i];
-            for (&l, &known) in row.iter().zip(&x).take(i) {
-                value = R::mul_add(-l, known, value);
+        for i in 0..N {
+            for k in 0..i {
+                x[i] = R::mul_add(-self.factor[i][k], x[k], x[i]);
             }
-            x[i] = value;
         }
-        for (x, &inverse) in x.iter_mut().zip(&self.inverse) {
-            *x *= inverse;
+        for i in 0..N {
+            x[i] *= self.inverse[i];
         }
         for i in (0..N).rev() {
             for k in 0..i {

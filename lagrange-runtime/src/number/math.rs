@@ -2,10 +2,41 @@
 //!
 //! Feature `libm` wins over `std`, because its results are the same bits on every target; `std` calls the
 //! platform's library. Each function is a plain wrapper without any correction of its own; [`single`] has
-//! those of `f32` that the `libm` crate computes in double precision.
+//! those of `f32` that the `libm` crate computes in double precision, and [`threads`] those of graphics
+//! processors.
 
 #[cfg(any(feature = "libm", test))]
 mod single;
+
+#[cfg(any(all(feature = "libm", target_arch = "nvptx64"), test))]
+mod uniform;
+
+/// The functions of `f64` for graphics processors, with the bits of the `libm` crate.
+#[cfg(all(feature = "libm", target_arch = "nvptx64"))]
+mod threads {
+    pub(crate) use super::uniform::sin_cos as sincos;
+    /// A processor has an instruction for the root, which rounds correctly as `libm` does.
+    pub(crate) use core::f64::math::sqrt;
+    pub(crate) use libm::{
+        acos, acosh, asin, asinh, atan, atan2, atanh, cbrt, cosh, exp, expm1, hypot, log, log1p, pow, sinh,
+        tan, tanh,
+    };
+
+    #[inline]
+    pub(crate) fn sin(x: f64) -> f64 {
+        sincos(x).0
+    }
+
+    #[inline]
+    pub(crate) fn cos(x: f64) -> f64 {
+        sincos(x).1
+    }
+}
+
+#[cfg(all(feature = "libm", not(target_arch = "nvptx64")))]
+use libm as doubles;
+#[cfg(all(feature = "libm", target_arch = "nvptx64"))]
+use threads as doubles;
 
 /// One wrapper per function: `name(arguments) = libm function`, or the method of the standard library.
 macro_rules! backend {
@@ -30,7 +61,7 @@ macro_rules! backend {
     };
 }
 
-backend! { f64 from libm:
+backend! { f64 from super::doubles:
     sin_cos(x) -> (f64, f64) = sincos;
     sin(x) -> f64 = sin;
     cos(x) -> f64 = cos;

@@ -84,14 +84,15 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
         self.sweep(rows)
     }
 
-    /// The same sums where their number of terms is known: nothing is added to zero.
+    /// The same sums where their number of terms is known: nothing is added to zero. The loop counts. A loop
+    /// over references stays a loop on graphics processors, where the tables are then kept in memory.
     #[inline(always)]
     fn few(&self, rows: usize) -> [R; L] {
         let mut sum = [R::zero(); L];
         for row in 1..rows.min(P) {
-            let factors = self.left[row].iter().zip(&self.right[rows - row]);
-            for (sum, (&left, &right)) in sum.iter_mut().zip(factors) {
-                *sum = if row == 1 { left * right } else { Real::mul_add(left, right, *sum) };
+            let (left, right) = (&self.left[row], &self.right[rows - row]);
+            for i in 0..L {
+                sum[i] = if row == 1 { left[i] * right[i] } else { Real::mul_add(left[i], right[i], sum[i]) };
             }
         }
         sum

@@ -78,7 +78,8 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
         let unit = pick(&scaled.units, leads[k]);
         put(&mut split.inverse, leads[k], parts[k].each(|x| x * unit));
     }
-    for (vector, &free) in split.null.iter_mut().zip(&places).skip(count) {
+    for i in count..N {
+        let (vector, free) = (&mut split.null[i], places[i]);
         put(vector, free, pick(&scaled.units, free));
         for k in (0..C).filter(|&k| is_active(k)) {
             let entry = pick(&rows[k], free) * pick(&scaled.units, leads[k]);

@@ -8,11 +8,7 @@ mod value;
 use std::env;
 use std::error::Error;
 
-use kernels::{
-    Steps, Until, cart_pole_adaptive, cart_pole_jet6, double_pendulum_adaptive, double_pendulum_jet6,
-    double_pendulum_rk4, four_bar_adaptive, four_bar_jet6, kepler_adaptive, kepler_jet6, links_adaptive,
-    links_jet6,
-};
+use kernels::*;
 use lagrange_gpu::{Kernel, Ptx, Words, kernel};
 use lagrangian::MotionError;
 use machine::Machine;
@@ -88,14 +84,19 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("double_pendulum_rk4", compare(machine, kernel!(double_pendulum_rk4), STEPS)?),
         ("double_pendulum_jet6", compare(machine, kernel!(double_pendulum_jet6), STEPS)?),
         ("double_pendulum_adaptive", compare(machine, kernel!(double_pendulum_adaptive), UNTIL)?),
+        ("double_pendulum_dop853", compare(machine, kernel!(double_pendulum_dop853), UNTIL)?),
         ("cart_pole_jet6", compare(machine, kernel!(cart_pole_jet6), STEPS)?),
         ("cart_pole_adaptive", compare(machine, kernel!(cart_pole_adaptive), UNTIL)?),
+        ("cart_pole_dop853", compare(machine, kernel!(cart_pole_dop853), UNTIL)?),
         ("kepler_jet6", compare(machine, kernel!(kepler_jet6), STEPS)?),
         ("kepler_adaptive", compare(machine, kernel!(kepler_adaptive), UNTIL)?),
+        ("kepler_dop853", compare(machine, kernel!(kepler_dop853), UNTIL)?),
         ("links_jet6", compare(machine, kernel!(links_jet6), STEPS)?),
         ("links_adaptive", compare(machine, kernel!(links_adaptive), UNTIL)?),
+        ("links_dop853", compare(machine, kernel!(links_dop853), UNTIL)?),
         ("four_bar_jet6", compare(machine, kernel!(four_bar_jet6), STEPS)?),
         ("four_bar_adaptive", compare(machine, kernel!(four_bar_adaptive), UNTIL)?),
+        ("four_bar_dop853", compare(machine, kernel!(four_bar_dop853), UNTIL)?),
     ];
     for (name, instructions) in all {
         println!("{name}: the same bits in {COUNT} motions, {instructions} instructions of PTX each");
