@@ -6,6 +6,7 @@
 //! Numerical Algorithms", 2nd ed., ch. 10). Not for indefinite matrices: those stop at the first pivot that
 //! is not positive. Loops count: the compiler for graphics processors unrolls no loop over references.
 
+use crate::number::elements::array;
 use crate::number::real::Real;
 
 /// The factors of a symmetric positive definite matrix.
@@ -62,9 +63,7 @@ impl<R: Real, const N: usize> Ldlt<R, N> {
                 x[i] = R::mul_add(-self.factor[i][k], x[k], x[i]);
             }
         }
-        for i in 0..N {
-            x[i] *= self.inverse[i];
-        }
+        x = array(|i| x[i] * self.inverse[i]);
         for i in (0..N).rev() {
             for k in 0..i {
                 x[k] = R::mul_add(-self.factor[i][k], x[i], x[k]);

@@ -78,6 +78,7 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
         let unit = pick(&scaled.units, leads[k]);
         put(&mut split.inverse, leads[k], parts[k].each(|x| x * unit));
     }
+    #[expect(clippy::needless_range_loop, reason = "a loop that counts is unrolled on every target")]
     for i in count..N {
         let (vector, free) = (&mut split.null[i], places[i]);
         put(vector, free, pick(&scaled.units, free));

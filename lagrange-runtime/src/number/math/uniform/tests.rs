@@ -18,7 +18,7 @@ fn check(x: f64) {
 
 #[test]
 fn ends_of_branches_have_the_bits_of_libm() {
-    let tiny = [0, 1, 1 << 20, 1 << 52].map(|bits| f64::from_bits(bits));
+    let tiny = [0, 1, 1 << 20, 1 << 52].map(f64::from_bits);
     [f64::INFINITY, f64::NAN, f64::MAX, 1e300].into_iter().chain(tiny).for_each(check);
     // π/4, 3π/4, 5π/4, 7π/4: where `libm` goes over to the next multiple.
     let turns = [upper::QUARTER, 0x4002_D97C, 0x400F_6A7A, 0x4015_FDBC];
