@@ -56,15 +56,17 @@ tools() {
 }
 
 # The kernels of a package as PTX. All crates are one module, optimised as a whole, which the compiler prints; nothing is
-# left to a linker, so none is needed.
+# left to a linker, so none is needed. What follows the folder goes to cargo.
 ptx_of() {
     local manifest=$1/Cargo.toml name
-    [ -f "$manifest" ] || fail "there is no package in $1"
+    shift
+    [ -f "$manifest" ] || fail "there is no package in $(dirname "$manifest")"
     name=$(sed -n '/^\[package\]/,/^\[[^p]/s/^name *= *"\(.*\)"/\1/p' "$manifest" | head -1 | tr - _)
     CARGO_PROFILE_RELEASE_LTO=fat CARGO_PROFILE_RELEASE_CODEGEN_UNITS=1 CARGO_PROFILE_RELEASE_DEBUG=false \
         CARGO_TARGET_NVPTX64_NVIDIA_CUDA_RUSTFLAGS="-C target-cpu=$gpu" \
         cargo +nightly rustc --quiet --release --manifest-path "$manifest" --lib --crate-type cdylib \
-        --target nvptx64-nvidia-cuda -Z build-std=core -- --emit=asm -C linker=true >&2
+        --target nvptx64-nvidia-cuda -Z build-std=core "$@" -- --emit=asm -C linker=true >&2 ||
+        fail "$manifest does not compile as kernels: they are \`no_std\`, and allocate nothing"
     # The same text keeps its date: what was assembled from it stays.
     cmp --silent "$built/nvptx64-nvidia-cuda/release/deps/$name.s" "$results/$name.ptx" ||
         cp "$built/nvptx64-nvidia-cuda/release/deps/$name.s" "$results/$name.ptx"
@@ -118,13 +120,10 @@ TEXT
     echo "report: written into $page"
 }
 
-# A program beside the kernels.
-program() { cargo run --quiet --release --manifest-path lagrange-gpu/kernels/Cargo.toml --bin "$1" -- "${@:2}"; }
-
 emulate() {
     local ptx
-    ptx=$(ptx_of lagrange-gpu/kernels)
-    program emulate "$ptx"
+    ptx=$(ptx_of lagrange-gpu/kernels --features contacts)
+    cargo run --quiet --release --manifest-path lagrange-gpu/kernels/Cargo.toml --features contacts --bin emulate -- "$ptx"
 }
 
 run() {
@@ -135,7 +134,7 @@ run() {
     if [ "${assembled[0]}" -nt "$ptx" ] && [ "${assembled[1]}" -nt "$ptx" ]; then
         kernels=("${assembled[@]}")
     fi
-    program run "${kernels[@]}" >"$results/run.md" ||
+    cargo run --quiet --release --manifest-path lagrange-gpu/kernels/Cargo.toml --bin run -- "${kernels[@]}" >"$results/run.md" ||
         { cat "$results/run.md"; fail "the kernels do not run as they should"; }
     cat "$results/run.md"
     if grep -q '^## On a processor' "$results/run.md" && [ -f "$page" ]; then
@@ -148,7 +147,7 @@ run() {
 test_here() {
     local manifest=lagrange-gpu/Cargo.toml
     cargo fmt --manifest-path $manifest --all --check
-    cargo clippy --quiet --manifest-path $manifest --workspace --all-targets -- -D warnings
+    cargo clippy --quiet --manifest-path $manifest --workspace --features kernels/contacts --all-targets -- -D warnings
     cargo test --quiet --manifest-path $manifest --workspace
 }
 
@@ -159,7 +158,8 @@ while [ $# -gt 0 ]; do
             if [ -d "${2:-}" ]; then build "$2"; shift; else build; fi ;;
         tools | assemble | report | emulate | run) $1 ;;
         test) test_here ;;
-        all) tools; test_here; assemble; emulate; run ;;
+        # Interpreted first: what is assembled has no contacts, and stays for `run`.
+        all) tools; test_here; emulate; assemble; run ;;
         *) usage; exit 2 ;;
     esac
     shift

@@ -134,7 +134,8 @@ impl fmt::Display for Error {
             Self::Unresolved { names } => {
                 write!(
                     out,
-                    "kernels can panic or allocate: they call `{}`, which exists nowhere",
+                    "kernels can panic or allocate: they call `{}`, which exists nowhere. Take `get` for an index that is not sure to be \
+                     inside, and no `unwrap`; friction in two directions or in a bearing is not for kernels",
                     names.join("`, `")
                 )
             }

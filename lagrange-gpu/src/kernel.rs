@@ -101,7 +101,7 @@ pub(crate) fn compute<S: Words, R: Words, E>(
 /// A function takes the index of a motion and a reference to what all motions share, and returns a `Result`:
 /// both sides are [`Words`](crate::Words). It must not panic or allocate, and the build says if it could.
 ///
-/// The crate begins with `#![cfg_attr(target_arch = "nvptx64", no_std, feature(abi_ptx))]`.
+/// The crate begins with `#![no_std]` and `#![cfg_attr(target_arch = "nvptx64", feature(abi_ptx))]`.
 #[macro_export]
 macro_rules! kernels {
     ($($function:ident),+ $(,)?) => {$(

@@ -5,7 +5,10 @@
 //! same bits.
 //!
 //! ```
-//! #![cfg_attr(target_arch = "nvptx64", no_std, feature(abi_ptx))]
+//! # /*
+//! #![no_std]
+//! #![cfg_attr(target_arch = "nvptx64", feature(abi_ptx))]
+//! # */
 //! use lagrangian::prelude::*;
 //!
 //! pub struct Pendulum {
@@ -55,17 +58,17 @@
 //! }
 //! ```
 //!
-//! A crate that computes sines and the like outside descriptions is better `no_std` on its host, too:
-//! `x.sin()` is then the function of the crate `libm` on both sides, where hosts with a standard library have
-//! their own, with other last bits.
+//! The crate is `no_std` on its host, too: `x.sin()` is then the function of the crate `libm` on both sides,
+//! where hosts with a standard library have their own, with other last bits.
 //!
 //! | name | what it is |
 //! | --- | --- |
-//! | [`kernels!`] | makes kernels of functions of the crate, when it is built for a processor |
+//! | [`kernels!`] | makes kernels of functions of the crate, when it is built for a processor; a generic one needs a function for each type |
 //! | [`kernel!`] | such a function with its name: what a host launches, or computes itself |
 //! | [`Words`] | what can be handed to a processor and back: numbers, states, arrays, tuples |
 //! | `Ptx` | the text of built kernels, looked through: nothing in it is unresolved, so nothing can panic |
 //! | `Gpu`, `Kernels`, `Rows` | a processor, the kernels loaded on it, and what they left |
+//! | `Failure`, `Record` | why a motion has no row: your own errors need `impl From<MyError> for Failure` on the host; and what columns a row has |
 //!
 //! `scripts/gpu.sh` of the repository installs what building needs, builds, checks and measures.
 #![cfg_attr(target_arch = "nvptx64", no_std, feature(stdarch_nvptx))]
@@ -99,3 +102,7 @@ pub use {
     ptx::{Arithmetic, Ptx},
     rows::Rows,
 };
+
+/// What rows and errors need, to be tables and causes.
+#[cfg(not(target_arch = "nvptx64"))]
+pub use lagrange_ensemble::{Failure, Record};

@@ -4,6 +4,7 @@
 use std::env;
 use std::error::Error;
 use std::fs;
+use std::process::ExitCode;
 
 use lagrange_gpu::{Arithmetic, Ptx, Usage};
 
@@ -46,12 +47,22 @@ fn table(exact: &str, fused: &str) -> Result<(), Box<dyn Error>> {
     if exact.is_empty() { Err("the assembler tells of no kernel".into()) } else { Ok(()) }
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn run() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["check", path] => check(path),
         ["fuse", path, to] => Ok(fs::write(to, Ptx::read(path)?.text(Arithmetic::Fused))?),
         ["table", exact, fused] => table(exact, fused),
         _ => Err("usage: lagrange-gpu check FILE | fuse FILE TO | table EXACT FUSED".into()),
+    }
+}
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("gpu: {error}");
+            ExitCode::FAILURE
+        }
     }
 }

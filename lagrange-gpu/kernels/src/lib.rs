@@ -8,11 +8,15 @@
 #![no_std]
 #![cfg_attr(target_arch = "nvptx64", feature(abi_ptx))]
 
+#[cfg(feature = "contacts")]
+mod contacts;
 mod systems;
 
 use lagrangian::FixedStep;
 use lagrangian::prelude::*;
 
+#[cfg(feature = "contacts")]
+pub use contacts::{Belt, Puck, belt, puck, puck_apex, puck_steps};
 pub use systems::{CartPole, DoublePendulum, FourBar, Kepler, Links};
 
 /// Gravitational acceleration \[m/s²].

@@ -149,7 +149,9 @@ where
             for (row, (cut, &push)) in cuts.iter().zip(&pushes).enumerate() {
                 if let (Row::Friction { pair, .. }, Some((cut, _))) = (S::ROWS[row], cut) {
                     for own in [Some(row), pair].into_iter().flatten() {
-                        next[own] -= push * cut[own];
+                        if let (Some(next), Some(&part)) = (next.get_mut(own), cut.get(own)) {
+                            *next -= push * part;
+                        }
                     }
                 }
             }
@@ -199,7 +201,9 @@ where
                     return None;
                 }
                 for own in [Some(row), pair].into_iter().flatten() {
-                    cut[own] = -multipliers[own] / size;
+                    if let (Some(part), Some(&multiplier)) = (cut.get_mut(own), multipliers.get(own)) {
+                        *part = -multiplier / size;
+                    }
                 }
                 let coefficient = self.against(cut[row]).fixed[row];
                 let Some(normal) = normal else { return Some((cut, -coefficient)) };

@@ -57,7 +57,8 @@ where
                 Scene::new(self.system, &memory.end, inputs, memory.regime.kinks, &memory.scales, &known);
             let Some(equations) = S::equations_in(&memory.in_regime, t, &q, &v, inputs) else { continue };
             let mut a = equations.balance().accelerations;
-            let (x, y) = (scene.laws.rows.rates[row], scene.laws.rows.rates[other]);
+            let rates = &scene.laws.rows.rates;
+            let (Some(&x), Some(&y)) = (rates.get(row), rates.get(other)) else { continue };
             let falls = -(x * scene.rate(row, &a) + y * scene.rate(other, &a));
             let mut left = (x * x + y * y) / falls;
             if x == num_traits::Zero::zero() && y == num_traits::Zero::zero() {

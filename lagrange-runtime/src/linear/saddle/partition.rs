@@ -74,17 +74,21 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
         leads[k] = lead;
         rank += 1;
     }
-    for k in (0..C).filter(|&k| is_active(k)) {
-        let unit = pick(&scaled.units, leads[k]);
-        put(&mut split.inverse, leads[k], parts[k].each(|x| x * unit));
+    for k in 0..C {
+        if is_active(k) {
+            let unit = pick(&scaled.units, leads[k]);
+            put(&mut split.inverse, leads[k], parts[k].each(|x| x * unit));
+        }
     }
     #[expect(clippy::needless_range_loop, reason = "a loop that counts is unrolled on every target")]
     for i in count..N {
         let (vector, free) = (&mut split.null[i], places[i]);
         put(vector, free, pick(&scaled.units, free));
-        for k in (0..C).filter(|&k| is_active(k)) {
-            let entry = pick(&rows[k], free) * pick(&scaled.units, leads[k]);
-            put(vector, leads[k], -entry);
+        for k in 0..C {
+            if is_active(k) {
+                let entry = pick(&rows[k], free) * pick(&scaled.units, leads[k]);
+                put(vector, leads[k], -entry);
+            }
         }
     }
     Some(independence)

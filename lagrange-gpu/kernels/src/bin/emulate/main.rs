@@ -98,6 +98,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("four_bar_adaptive", compare(machine, kernel!(four_bar_adaptive), UNTIL)?),
         ("four_bar_dop853", compare(machine, kernel!(four_bar_dop853), UNTIL)?),
     ];
+    #[cfg(feature = "contacts")]
+    let all = all.into_iter().chain([
+        ("puck", compare(machine, kernel!(puck), UNTIL)?),
+        ("puck_apex", compare(machine, kernel!(puck_apex), UNTIL)?),
+        ("puck_steps", compare(machine, kernel!(puck_steps), UNTIL)?),
+        ("belt", compare(machine, kernel!(belt), UNTIL)?),
+    ]);
     for (name, instructions) in all {
         println!("{name}: the same bits in {COUNT} motions, {instructions} instructions of PTX each");
     }

@@ -1,0 +1,99 @@
+//! Systems with contacts, dry friction and events as kernels. They are built and interpreted, to see that
+//! nothing in them can panic; assembling them takes minutes.
+
+use lagrangian::prelude::*;
+
+use crate::{End, G, Until, spread};
+
+/// A puck that is thrown onto a rough floor.
+#[derive(Clone, Copy, Debug)]
+pub struct Puck;
+
+#[lagrangian(coordinates = [x, y])]
+impl Puck {
+    #[point(mass = 0.2)]
+    fn puck(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        0.2 * G * q.y
+    }
+
+    #[unilateral(restitution = 0.6)]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        q.y
+    }
+
+    #[friction(coefficient = 0.4, normal = floor)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+
+    #[event]
+    fn apex(&self, v: &Velocities) -> f64 {
+        v.y
+    }
+}
+
+/// A mass on a spring and on a belt that runs.
+#[derive(Clone, Copy, Debug)]
+pub struct Belt;
+
+#[lagrangian(coordinates = [x])]
+impl Belt {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        4.5 * q.x.powi(2)
+    }
+
+    #[friction(limit = 2.4, static_limit = 4.0)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x - 0.2
+    }
+}
+
+/// The puck of an index, and its start above the floor.
+fn a_puck(index: u64) -> State<f64, 2> {
+    let [height, speed] = spread(index);
+    State::new([0.0, 0.06 + 0.05 * height], [1.5 * speed, 0.0])
+}
+
+/// A puck that bounces and slides.
+pub fn puck(index: u64, &(end, tolerance): &Until) -> End<2> {
+    let mut motion = Puck.simulate(a_puck(index)).with_tolerance(tolerance);
+    motion.advance_to(end).copied()
+}
+
+/// The highest point of a puck after its first impact.
+pub fn puck_apex(index: u64, &(end, tolerance): &Until) -> End<2> {
+    let mut motion = Puck.simulate(a_puck(index)).with_tolerance(tolerance);
+    match motion.events(PuckEvent::Apex, end).falling().next() {
+        Some(apex) => Ok(apex?.state),
+        None => motion.advance_to(end).copied(),
+    }
+}
+
+/// A mass that sticks to its belt and slips.
+pub fn belt(index: u64, &(end, tolerance): &Until) -> End<1> {
+    let [place, speed] = spread(index);
+    let mut motion = Belt.simulate(State::new([place], [speed])).with_tolerance(tolerance);
+    motion.advance_to(end).copied()
+}
+
+/// A puck in fixed steps.
+pub fn puck_steps(index: u64, &(end, _): &Until) -> End<2> {
+    let mut motion = Puck.stepper::<Jet<4>>(a_puck(index));
+    for _ in 0..64 {
+        motion.step(end / 64.0, &[])?;
+    }
+    Ok(*motion.state())
+}
+
+lagrange_gpu::kernels!(puck, puck_apex, puck_steps, belt);
