@@ -244,7 +244,8 @@ fn operand(text: &str, numbers: &mut HashMap<String, usize>) -> Result<Operand, 
     if let Some(digits) =
         text.strip_prefix("0d").or_else(|| text.strip_prefix("0f")).or_else(|| text.strip_prefix("0x"))
     {
-        return Ok(Operand::Constant(hexadecimal(digits)?));
+        // Some say that they have no sign.
+        return Ok(Operand::Constant(hexadecimal(digits.trim_end_matches('U'))?));
     }
     if text.contains(['|', '!']) {
         return Err(format!("an operand that is not known here: {text}"));

@@ -95,6 +95,7 @@ pub fn operation(parts: &[&str], x: &[u64]) -> Result<u64, String> {
         ("popc", _) => return Ok(u64::from(x[0].count_ones())),
         ("brev", _) => return Ok(x[0].reverse_bits() >> (64 - width)),
         ("shf", direction) => funnel(direction, parts, x)?.into(),
+        ("prmt", "b32") => permuted(x)?.into(),
         _ => return Err(unknown()),
     };
     masked(result as u64, kind)
@@ -106,6 +107,18 @@ fn funnel(direction: &str, parts: &[&str], x: &[u64]) -> Result<u64, String> {
     let both = high << 32 | low;
     let by = if parts.contains(&"wrap") { by & 31 } else { by.min(32) };
     Ok(if direction == "l" { both << by >> 32 } else { both >> by } & 0xffff_ffff)
+}
+
+/// Four bytes out of those of two words, each by its number; with 8 more, copies of its sign.
+fn permuted(x: &[u64]) -> Result<u64, String> {
+    let &[low, high, chosen] = x else { return Err("a permutation needs three values".to_owned()) };
+    let both = high << 32 | low;
+    Ok((0..4).fold(0, |word, place| {
+        let number = chosen >> (4 * place);
+        let byte = both >> (8 * (number & 7)) & 0xff;
+        let byte = if number & 8 == 0 { byte } else { 0xff * (byte >> 7) };
+        word | byte << (8 * place)
+    }))
 }
 
 fn floating(parts: &[&str], kind: &str, x: &[u64]) -> Result<u64, String> {
@@ -233,6 +246,7 @@ mod tests {
         assert_eq!(of("shr.s32", &[0x8000_0000, 99]), 0xffff_ffff);
         assert_eq!(of("shl.b64", &[1, 64]), 0);
         assert_eq!(of("shf.l.wrap.b32", &[0x8000_0000, 1, 1]), 3);
+        assert_eq!(of("prmt.b32", &[0x8070_6050, 0x0403_0201, 0xb340]), 0xff80_0150);
         assert_eq!(of("not.pred", &[1]), 0);
         assert_eq!(of("setp.ltu.f64", &[nan, two]), 1);
         assert_eq!(of("setp.lt.f64", &[nan, two]), 0);
