@@ -32,6 +32,8 @@ pub enum Error {
     Unresolved {
         /// The functions.
         names: Vec<String>,
+        /// The kernels that call them, themselves or by way of others.
+        kernels: Vec<String>,
     },
     /// The driver refuses the kernels.
     Refused {
@@ -131,11 +133,12 @@ impl fmt::Display for Error {
             Self::NotPtx => {
                 out.write_str("this is no PTX with kernels: build them with `scripts/gpu.sh build`")
             }
-            Self::Unresolved { names } => {
+            Self::Unresolved { names, kernels } => {
                 write!(
                     out,
-                    "kernels can panic or allocate: they call `{}`, which exists nowhere. Take `get` for an index that is not sure to be \
-                     inside, and no `unwrap`; friction in two directions or in a bearing is not for kernels",
+                    "the kernels `{}` can panic or allocate: they call `{}`, which exists nowhere. Take `get` for an index that is not \
+                     sure to be inside, and no `unwrap`; friction in two directions or in a bearing is not for kernels",
+                    kernels.join("`, `"),
                     names.join("`, `")
                 )
             }

@@ -83,6 +83,8 @@ pub mod device;
 #[cfg(not(target_arch = "nvptx64"))]
 mod assembly;
 #[cfg(not(target_arch = "nvptx64"))]
+mod calls;
+#[cfg(not(target_arch = "nvptx64"))]
 mod error;
 #[cfg(not(target_arch = "nvptx64"))]
 mod gpu;

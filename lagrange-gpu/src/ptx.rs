@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use crate::calls::reaching;
 use crate::error::Error;
 
 /// How sums and products are rounded.
@@ -41,7 +42,11 @@ impl Ptx {
             return Err(Error::NotPtx);
         }
         let names: Vec<_> = declared(&ptx.text, ".extern .func").map(str::to_owned).collect();
-        if names.is_empty() { Ok(ptx) } else { Err(Error::Unresolved { names }) }
+        if names.is_empty() {
+            return Ok(ptx);
+        }
+        let kernels = reaching(&ptx.text, &names);
+        Err(Error::Unresolved { names, kernels })
     }
 
     /// The names of the kernels.
@@ -158,7 +163,7 @@ mod tests {
             "{KERNELS}.extern .func this_kernel_can_panic\n()\n;\n.extern .func (.param .b64 result) malloc\n("
         );
         let names = match Ptx::new(text) {
-            Err(Error::Unresolved { names }) => names,
+            Err(Error::Unresolved { names, .. }) => names,
             other => panic!("{other:?}"),
         };
         assert_eq!(names, ["this_kernel_can_panic", "malloc"]);

@@ -1,0 +1,131 @@
+//! Who calls what in PTX: the kernels that reach a function.
+
+use std::collections::{HashMap, HashSet};
+
+/// The kernels that call one of these functions, or call what calls it, in the order of the text.
+pub fn reaching(text: &str, names: &[String]) -> Vec<String> {
+    let functions = functions(text);
+    let known: HashSet<&str> = functions.iter().map(|function| function.name).collect();
+    let calls: HashMap<&str, HashSet<&str>> = functions
+        .iter()
+        .map(|function| {
+            let words = function.body.split(|c: char| !is_of_a_name(c));
+            let called = words.filter(|word| known.contains(word) || names.iter().any(|name| name == word));
+            (function.name, called.collect())
+        })
+        .collect();
+    let reaches = |kernel: &str| {
+        let (mut seen, mut next) = (HashSet::from([kernel]), vec![kernel]);
+        while let Some(function) = next.pop() {
+            if names.iter().any(|name| name == function) {
+                return true;
+            }
+            let called = calls.get(function).into_iter().flatten();
+            next.extend(called.filter(|called| seen.insert(called)));
+        }
+        false
+    };
+    let kernels = functions.iter().filter(|function| function.is_kernel && reaches(function.name));
+    kernels.map(|function| function.name.to_owned()).collect()
+}
+
+/// A function with a body.
+struct Function<'a> {
+    name: &'a str,
+    is_kernel: bool,
+    body: &'a str,
+}
+
+fn is_of_a_name(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '_' || c == '$'
+}
+
+/// The functions of a text: each one's body reaches to a brace at the beginning of a line.
+fn functions(text: &str) -> Vec<Function<'_>> {
+    let is_start = |line: &str| line.starts_with(".func") || line.starts_with(".visible .entry");
+    let mut functions = Vec::new();
+    let mut at = 0;
+    while let Some(line) = text[at..].lines().next() {
+        let rest = &text[at..];
+        at += line.len() + 1;
+        // A declaration ends before a body begins.
+        if is_start(line)
+            && let Some(open) = rest.find(['{', ';'])
+            && rest[open..].starts_with('{')
+            && let Some(name) = name(&rest[..open])
+        {
+            let end = rest.find("\n}").unwrap_or(rest.len());
+            functions.push(Function {
+                name,
+                is_kernel: line.starts_with(".visible"),
+                body: rest.get(open..end).unwrap_or_default(),
+            });
+        }
+        if at >= text.len() {
+            break;
+        }
+    }
+    functions
+}
+
+/// The name in the head of a function: before its parameters, behind its result if there is one.
+fn name(head: &str) -> Option<&str> {
+    let mut head = head.trim_start_matches(".visible .entry").trim_start_matches(".func").trim_start();
+    if head.starts_with('(') {
+        head = head.split_once(')')?.1.trim_start();
+    }
+    head.split(|c: char| !is_of_a_name(c)).next().filter(|name| !name.is_empty())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = "
+.extern .func panics
+(
+)
+;
+.func inner(
+	.param .b64 a
+)
+;
+.visible .entry good(
+	.param .u64 a
+)
+{
+	ret;
+}
+.visible .entry bad(
+	.param .u64 a
+)
+{
+	call.uni (retval0), outer, (param0);
+}
+.func  (.param .b64 r) outer(
+	.param .b64 a
+)
+{
+	call.uni inner, (param0);
+}
+.func inner(
+	.param .b64 a
+)
+{
+	call.uni outer, (param0);
+	call.uni panics, ();
+}
+.visible .entry worse()
+{
+	{ // callseq 1
+	call.uni panics, ();
+	} // callseq 1
+}
+";
+
+    #[test]
+    fn kernels_are_named_that_reach_a_function() {
+        assert_eq!(reaching(TEXT, &["panics".to_owned()]), ["bad", "worse"]);
+        assert!(reaching(TEXT, &["malloc".to_owned()]).is_empty());
+    }
+}
