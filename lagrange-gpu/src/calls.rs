@@ -2,6 +2,8 @@
 
 use std::collections::{HashMap, HashSet};
 
+use crate::ptx::{is_of_a_name, name};
+
 /// The kernels that call one of these functions, or call what calls it, in the order of the text.
 pub fn reaching(text: &str, names: &[String]) -> Vec<String> {
     let functions = functions(text);
@@ -36,28 +38,24 @@ struct Function<'a> {
     body: &'a str,
 }
 
-fn is_of_a_name(c: char) -> bool {
-    c.is_ascii_alphanumeric() || c == '_' || c == '$'
-}
-
 /// The functions of a text: each one's body reaches to a brace at the beginning of a line.
 fn functions(text: &str) -> Vec<Function<'_>> {
-    let is_start = |line: &str| line.starts_with(".func") || line.starts_with(".visible .entry");
     let mut functions = Vec::new();
     let mut at = 0;
     while let Some(line) = text[at..].lines().next() {
         let rest = &text[at..];
         at += line.len() + 1;
         // A declaration ends before a body begins.
-        if is_start(line)
+        let kinds = [".visible .entry", ".func"];
+        if let Some(kind) = kinds.into_iter().find(|kind| line.starts_with(kind))
             && let Some(open) = rest.find(['{', ';'])
             && rest[open..].starts_with('{')
-            && let Some(name) = name(&rest[..open])
+            && let Some(name) = name(&rest[kind.len()..open])
         {
             let end = rest.find("\n}").unwrap_or(rest.len());
             functions.push(Function {
                 name,
-                is_kernel: line.starts_with(".visible"),
+                is_kernel: kind == ".visible .entry",
                 body: rest.get(open..end).unwrap_or_default(),
             });
         }
@@ -66,15 +64,6 @@ fn functions(text: &str) -> Vec<Function<'_>> {
         }
     }
     functions
-}
-
-/// The name in the head of a function: before its parameters, behind its result if there is one.
-fn name(head: &str) -> Option<&str> {
-    let mut head = head.trim_start_matches(".visible .entry").trim_start_matches(".func").trim_start();
-    if head.starts_with('(') {
-        head = head.split_once(')')?.1.trim_start();
-    }
-    head.split(|c: char| !is_of_a_name(c)).next().filter(|name| !name.is_empty())
 }
 
 #[cfg(test)]

@@ -136,8 +136,9 @@ impl fmt::Display for Error {
             Self::Unresolved { names, kernels } => {
                 write!(
                     out,
-                    "the kernels `{}` can panic or allocate: they call `{}`, which exists nowhere. Take `get` for an index that is not \
-                     sure to be inside, and no `unwrap`; friction in two directions or in a bearing is not for kernels",
+                    "the kernels `{}` can panic or allocate: they call `{}`, which exists nowhere. Take `get` for \
+                     an index that is not sure to be inside, and no `unwrap`; friction in two directions or in a \
+                     bearing is not for kernels",
                     kernels.join("`, `"),
                     names.join("`, `")
                 )

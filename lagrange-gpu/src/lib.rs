@@ -63,12 +63,15 @@
 //!
 //! | name | what it is |
 //! | --- | --- |
-//! | [`kernels!`] | makes kernels of functions of the crate, when it is built for a processor; a generic one needs a function for each type |
+//! | [`kernels!`] | makes kernels of functions of the crate, when it is built for a processor |
 //! | [`kernel!`] | such a function with its name: what a host launches, or computes itself |
 //! | [`Words`] | what can be handed to a processor and back: numbers, states, arrays, tuples |
 //! | `Ptx` | the text of built kernels, looked through: nothing in it is unresolved, so nothing can panic |
 //! | `Gpu`, `Kernels`, `Rows` | a processor, the kernels loaded on it, and what they left |
-//! | `Failure`, `Record` | why a motion has no row: your own errors need `impl From<MyError> for Failure` on the host; and what columns a row has |
+//! | `Failure`, `Record` | why a motion has no row, and the columns of a row |
+//!
+//! `kernels!` takes names, so a generic function needs a function for each type. An error of your own needs
+//! `impl From<MyError> for Failure` on the host.
 //!
 //! `scripts/gpu.sh` of the repository installs what building needs, builds, checks and measures.
 #![cfg_attr(target_arch = "nvptx64", no_std, feature(stdarch_nvptx))]

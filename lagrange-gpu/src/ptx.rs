@@ -110,15 +110,21 @@ fn contracts(name: &str) -> bool {
 
 /// The names that follow a declaration, behind the result in parentheses if there is one.
 fn declared<'a>(text: &'a str, declaration: &'a str) -> impl Iterator<Item = &'a str> {
-    text.match_indices(declaration).filter_map(move |(at, _)| {
-        let mut rest = text.get(at + declaration.len()..)?.trim_start();
-        if rest.starts_with('(') {
-            rest = rest.split_once(')')?.1.trim_start();
-        }
-        rest.split(|c: char| !c.is_ascii_alphanumeric() && c != '_' && c != '$')
-            .next()
-            .filter(|name| !name.is_empty())
-    })
+    text.match_indices(declaration).filter_map(move |(at, _)| name(text.get(at + declaration.len()..)?))
+}
+
+/// The name at the beginning of a text, behind the result in parentheses if there is one.
+pub(crate) fn name(text: &str) -> Option<&str> {
+    let mut rest = text.trim_start();
+    if rest.starts_with('(') {
+        rest = rest.split_once(')')?.1.trim_start();
+    }
+    rest.split(|c: char| !is_of_a_name(c)).next().filter(|name| !name.is_empty())
+}
+
+/// Whether a character may stand in a name.
+pub(crate) fn is_of_a_name(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '_' || c == '$'
 }
 
 #[cfg(test)]

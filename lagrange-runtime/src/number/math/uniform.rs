@@ -2,11 +2,11 @@
 //! `libm` crate.
 //!
 //! The threads of a warp of a graphics processor share one instruction at a time, so a branch that depends on
-//! the argument costs both of its sides. `libm` has a branch for each quarter turn up to two turns.
+//! the argument costs both of its sides. `libm` has a branch for each quarter turn up to 9π/4.
 //!
 //! The method is that of `libm`, which is Sun's fdlibm (`e_rem_pio2.c`, `k_sin.c`, `k_cos.c`): x = n π/2 + y
 //! after Cody and Waite, and a polynomial in y for each function. Choices replace branches. The two that
-//! remain are of arguments beyond a million turns and of those next to a multiple of π/2.
+//! remain are of arguments beyond 2²⁰ quarter turns and of those next to a multiple of π/2.
 
 use core::hint::select_unpredictable as choose;
 
@@ -53,7 +53,7 @@ mod upper {
     pub const THREE_HALVES: u32 = 0x4012_D97C;
     /// 9π/4: up to here the multiple of π/2 follows from the upper word alone.
     pub const NEAR: u32 = 0x401C_463B;
-    /// The multiples of π/2 up to there. One part of π/2 is enough where the upper word is none of them.
+    /// The words of the multiples of π/2 up to there. An argument with one of them may need more parts of π/2.
     pub const MULTIPLES: [u32; 4] = [0x3FF9_21FB, 0x4009_21FB, THREE_HALVES, 0x4019_21FB];
     /// 2²⁰ π/2: from here on π/2 needs more bits.
     pub const LARGE: u32 = 0x4139_21FB;
@@ -85,7 +85,7 @@ pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
 #[inline]
 fn reduced(x: f64, size: u32) -> (i32, [f64; 2]) {
     let is_near = size <= upper::NEAR;
-    // `libm` compares with the words of π/4, 3π/4 and 5π/4, but with those after the words of 7π/4 and 9π/4.
+    // The bounds of `libm` are the words of π/4, 3π/4 and 5π/4, but the words after those of 7π/4 and 9π/4.
     let word = (x.to_bits() >> 32) - u64::from(size > upper::THREE_HALVES);
     let rough = choose(is_near, f64::from_bits(word << 32), x);
     let n = (rough * INVERSE + TO_INTEGER) - TO_INTEGER;
