@@ -53,7 +53,7 @@ mod upper {
     pub const THREE_HALVES: u32 = 0x4012_D97C;
     /// 9π/4: up to here the multiple of π/2 follows from the upper word alone.
     pub const NEAR: u32 = 0x401C_463B;
-    /// The words of the multiples of π/2 up to there. An argument with one of them may need more parts of π/2.
+    /// The words of the multiples of π/2 up to there. An argument with one of them may need more parts of it.
     pub const MULTIPLES: [u32; 4] = [0x3FF9_21FB, 0x4009_21FB, THREE_HALVES, 0x4019_21FB];
     /// 2²⁰ π/2: from here on π/2 needs more bits.
     pub const LARGE: u32 = 0x4139_21FB;
