@@ -48,9 +48,10 @@ fmt() { cargo fmt --all --check; }
 
 clippy() {
     local all=lagrangian/wide,lagrangian/double-double,lagrangian/ensemble,lagrangian/pictures
-    cargo clippy --workspace --all-targets --features $all -- -D warnings
-    # Those that `cargo test` leaves out are no targets of the former.
-    cargo clippy --workspace --test '*' --features $all -- -D warnings
+    # The tests of the benchmark crate are the benchmarks again: `benchmarks` has them.
+    cargo clippy --workspace --exclude benchmarks --all-targets --features $all -- -D warnings
+    # Tests that `cargo test` leaves out are no targets of the former.
+    cargo clippy --workspace --bins --test '*' --features $all -- -D warnings
     cargo clippy -p lagrange-runtime --no-default-features --features libm,double-double -- -D warnings
 }
 

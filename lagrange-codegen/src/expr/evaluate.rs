@@ -93,6 +93,10 @@ impl Graph {
                         None => x.sqrt().powi(exponent.0),
                     }))
                 }),
+                // Whose sign is known has no kink.
+                Node::Unary(Unary::PositivePart, sign) if self.is_sign(*sign) => {
+                    value(sign).through(|x| x.max(0.0))
+                }
                 Node::Unary(function, argument) => {
                     let sign = if side(*argument) { 1.0 } else { -1.0 };
                     match function {

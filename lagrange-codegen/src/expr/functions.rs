@@ -33,18 +33,55 @@ impl Graph {
         self.intern(Node::Unary(function, argument))
     }
 
-    /// The larger of two numbers, b + (a − b)⁺. If b is the larger, the result is b to the last bit.
-    pub fn max(&mut self, a: NodeId, b: NodeId) -> NodeId {
-        let difference = self.sub(a, b);
-        let excess = self.unary(Unary::PositivePart, difference);
-        self.add(b, excess)
+    /// One where a number is not negative and zero elsewhere, and the opposite. Each is a node of its own:
+    /// 1 − w as a sum would be multiplied out, and b + w (a − b) loses what is small beside b.
+    pub fn sides(&mut self, argument: NodeId) -> [NodeId; 2] {
+        let sign = self.unary(Unary::Signum, argument);
+        let opposite = self.neg(sign);
+        [sign, opposite].map(|sign| self.unary(Unary::PositivePart, sign))
     }
 
-    /// The smaller of two numbers, b − (b − a)⁺.
+    /// Whether a node is a sign: one or minus one.
+    pub fn is_sign(&self, node: NodeId) -> bool {
+        let (coefficient, of) = self.scaled(node);
+        coefficient.abs().is_one() && matches!(self.node(of), Node::Unary(Unary::Signum, _))
+    }
+
+    /// The larger of two numbers, to the last bit.
+    pub fn max(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        match [a, b].map(|x| self.is_zero(x)) {
+            [true, _] => self.unary(Unary::PositivePart, b),
+            [_, true] => self.unary(Unary::PositivePart, a),
+            _ => self.chosen_by_order(a, b, [a, b]),
+        }
+    }
+
+    /// The smaller of two numbers, to the last bit.
     pub fn min(&mut self, a: NodeId, b: NodeId) -> NodeId {
-        let difference = self.sub(b, a);
-        let excess = self.unary(Unary::PositivePart, difference);
-        self.sub(b, excess)
+        if self.is_zero(a) || self.is_zero(b) {
+            let [a, b] = [a, b].map(|x| self.neg(x));
+            let larger = self.max(a, b);
+            return self.neg(larger);
+        }
+        self.chosen_by_order(a, b, [b, a])
+    }
+
+    /// A number between two bounds; the upper one where they contradict each other.
+    pub fn clamp(&mut self, value: NodeId, [low, high]: [NodeId; 2]) -> NodeId {
+        let [above, below] = [(value, low), (high, value)].map(|(a, b)| self.sub(a, b));
+        let ([is_above, is_low], [is_below, is_high]) = (self.sides(above), self.sides(below));
+        let [inside, low] = [(is_above, value), (is_low, low)].map(|(side, x)| self.mul(side, x));
+        let at_most = self.add(inside, low);
+        let [at_most, high] = [(is_below, at_most), (is_high, high)].map(|(side, x)| self.mul(side, x));
+        self.add(at_most, high)
+    }
+
+    /// The first of two values where a ≥ b, else the second.
+    fn chosen_by_order(&mut self, a: NodeId, b: NodeId, values: [NodeId; 2]) -> NodeId {
+        let difference = self.sub(a, b);
+        let [first, second] = self.sides(difference);
+        let [first, second] = [(first, values[0]), (second, values[1])].map(|(side, x)| self.mul(side, x));
+        self.add(first, second)
     }
 
     /// `y.atan2(x)`.
@@ -119,5 +156,47 @@ mod tests {
         let exponent = g.constant(Number::ratio(1, 3).unwrap());
         let power = g.powf(x, exponent);
         assert!(matches!(g.node(power), Node::Binary(Binary::Powf, ..)));
+    }
+
+    #[test]
+    fn the_larger_the_smaller_and_the_bounded_number_are_one_of_them_to_the_last_bit() {
+        let mut g = Graph::new();
+        let [x, low, high] = [0, 1, 2].map(|i| g.variable(Variable::Coordinate(i)));
+        let roots = [g.max(x, low), g.min(x, high), g.clamp(x, [low, high])];
+        for (x, low, high) in
+            [(0.3, -1e20, 1e20), (0.3, 0.1, 1e30), (0.3, -1e30, 0.1), (0.3, 0.5, 0.7), (0.3, 0.3, 0.3)]
+        {
+            let values = [x, low, high];
+            let found = g.evaluate(&roots, |variable| match variable {
+                Variable::Coordinate(i) => values[i as usize],
+                _ => f64::NAN,
+            });
+            assert_eq!(found, [x.max(low), x.min(high), x.clamp(low, high)], "{values:?}");
+        }
+    }
+
+    #[test]
+    fn the_positive_part_of_a_number_is_a_single_function() {
+        let mut g = Graph::new();
+        let (x, zero) = (g.variable(Variable::Coordinate(0)), g.zero());
+        let part = g.unary(Unary::PositivePart, x);
+        assert_eq!([g.max(x, zero), g.max(zero, x)], [part; 2]);
+        let (smaller, opposite) = (g.min(x, zero), g.neg(x));
+        let part = g.unary(Unary::PositivePart, opposite);
+        assert_eq!(smaller, g.neg(part));
+    }
+
+    #[test]
+    fn a_number_is_on_one_side_and_not_on_the_other() {
+        let mut g = Graph::new();
+        let x = g.variable(Variable::Coordinate(0));
+        let sides = g.sides(x);
+        for (x, expected) in [(2.0, [1.0, 0.0]), (-3.0, [0.0, 1.0])] {
+            assert_eq!(g.evaluate(&sides, |_| x), expected);
+            // Continued from the other side, both exchange their values, exactly.
+            let [a, b] = g.evaluate_on_sides(&sides, |_| x, |_| x < 0.0)[..] else { panic!() };
+            assert_eq!([a.value, b.value], [expected[1], expected[0]]);
+            assert_eq!([a.error, b.error], [f64::EPSILON * expected[1], f64::EPSILON * expected[0]]);
+        }
     }
 }

@@ -1,15 +1,16 @@
 //! Branches on the state: both sides are values, and a switch between them is a kink or a jump.
 //!
 //! A condition becomes a number, one where it holds and zero where it does not, made of signs of
-//! differences. `if a > b { x } else { y }` is then w x + (1 − w) y, which the code of one regime knows as x
-//! or as y. At equality it is what Rust says it is.
+//! differences. `if a > b { x } else { y }` is then w x + w̄ y, which the code of one regime knows as x or as
+//! y. At equality it is what Rust says it is. The opposite w̄ of a condition is a number of its own, so that
+//! nothing is subtracted from y.
 
 use std::rc::Rc;
 
 use super::interpreter::{Flow, Interpreter};
 use super::value::{Matrix, Value};
 use crate::diagnostics::{Origin, catalogue};
-use crate::expr::{NodeId, Unary};
+use crate::expr::NodeId;
 use crate::number::Number;
 use crate::syntax::body::{BinaryOperator, If};
 
@@ -26,22 +27,33 @@ impl<'a> Interpreter<'a> {
         };
         let graph = self.graph();
         let difference = graph.sub(more, less);
-        let sign = graph.unary(Unary::Signum, difference);
-        let half = if strict { -Number::HALF } else { Number::HALF };
-        Some(graph.sum(Number::HALF, &[(sign, half)]))
+        let [holds, fails] = graph.sides(difference);
+        let [weight, opposite] = if strict { [fails, holds] } else { [holds, fails] };
+        Some(self.noted(weight, opposite))
+    }
+
+    /// Notes that two conditions are opposites. Returns the first.
+    fn noted(&mut self, weight: NodeId, opposite: NodeId) -> NodeId {
+        self.opposites.insert(weight, opposite);
+        self.opposites.insert(opposite, weight);
+        weight
     }
 
     /// Two conditions joined.
     pub fn both(&mut self, operator: BinaryOperator, left: Value, right: Value, origin: Origin) -> Value {
         match (operator, left, right) {
             (_, Value::Choice(a), Value::Choice(b)) => {
+                // That both fail, or both hold; otherwise the first decides, or else the second.
+                let [not_a, not_b] = [a, b].map(|weight| self.opposite(weight));
+                let all =
+                    if operator == BinaryOperator::And { [a, b, not_a, not_b] } else { [not_a, not_b, a, b] };
+                let [first, second, not_first, not_second] = all;
                 let graph = self.graph();
-                let both = graph.mul(a, b);
-                if operator == BinaryOperator::And {
-                    return Value::Choice(both);
-                }
-                let terms = [(a, Number::ONE), (b, Number::ONE), (both, Number::MINUS_ONE)];
-                Value::Choice(graph.sum(Number::ZERO, &terms))
+                let both = graph.mul(first, second);
+                let second_fails = graph.mul(first, not_second);
+                let either_fails = graph.add(not_first, second_fails);
+                let weight = self.noted(both, either_fails);
+                Value::Choice(if operator == BinaryOperator::And { weight } else { either_fails })
             }
             // `binary` has stopped at a constant on the left that decides.
             (_, Value::Choice(weight), Value::Boolean(known))
@@ -55,7 +67,10 @@ impl<'a> Interpreter<'a> {
 
     /// The opposite of a condition.
     pub fn opposite(&mut self, weight: NodeId) -> NodeId {
-        self.graph().sum(Number::ONE, &[(weight, Number::MINUS_ONE)])
+        self.opposites.get(&weight).copied().unwrap_or_else(|| {
+            // A condition that turned out to be constant.
+            self.graph().sum(Number::ONE, &[(weight, Number::MINUS_ONE)])
+        })
     }
 
     /// `if … else …` on the state.
@@ -83,7 +98,7 @@ impl<'a> Interpreter<'a> {
         self.mixed(weight, &then, &otherwise, origin)
     }
 
-    /// w · `then` + (1 − w) · `otherwise`.
+    /// w · `then` + w̄ · `otherwise`.
     fn mixed(&mut self, weight: NodeId, then: &Value, otherwise: &Value, origin: Origin) -> Value {
         let words = |value: &Value| {
             let mut words = Vec::new();

@@ -64,6 +64,8 @@ pub struct Interpreter<'a> {
     pub flow: Flow,
     /// Results of calls: function and arguments to value.
     pub memo: Lookup<(usize, Vec<u64>), Value>,
+    /// Conditions on the state, as numbers, with their opposites.
+    pub opposites: Lookup<NodeId, NodeId>,
     /// Functions whose return type their role refuses.
     pub misshapen: Vec<usize>,
     /// The functions being evaluated.
@@ -116,6 +118,7 @@ impl<'a> Interpreter<'a> {
             scope: Scope::default(),
             flow: Flow::Next,
             memo: Lookup::default(),
+            opposites: Lookup::default(),
             misshapen: Vec::new(),
             calls: Vec::new(),
             rates: vec![None; item.velocities.len()],

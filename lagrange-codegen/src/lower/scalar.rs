@@ -109,8 +109,7 @@ impl Interpreter<'_> {
                 let [Some(low), Some(high)] = bounds.map(|bound| self.scalar(bound, origin)) else {
                     return Value::Unknown;
                 };
-                let value = self.graph().max(node, low);
-                Some(self.graph().min(value, high))
+                Some(self.graph().clamp(node, [low, high]))
             }
             "powf" | "log" | "atan2" | "hypot" | "min" | "max" => {
                 let Some([other]) = self.exactly(word, arguments, origin) else { return Value::Unknown };

@@ -74,6 +74,8 @@ pub(super) fn are_in(model: &Model, node: NodeId) -> bool {
 /// The argument of a function with a kink, if it moves.
 fn kinked(graph: &Graph, id: NodeId) -> Option<NodeId> {
     match *graph.node(id) {
+        // The positive part of a sign has the kink of that sign.
+        Node::Unary(Unary::PositivePart, argument) if graph.is_sign(argument) => None,
         Node::Unary(Unary::Abs | Unary::Signum | Unary::PositivePart, argument)
             if graph.dependence(argument).meets(MOVING) =>
         {

@@ -68,12 +68,13 @@ where
     ) -> Result<(), Cause> {
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
         for (row, kind) in S::ROWS.iter().enumerate() {
-            let e = laws.restitution[row];
+            // Derivatives of a coefficient may lead beyond its bounds, but it is within them.
+            let e = laws.restitution[row].part(0);
             // A friction that slips has one direction.
             let slip = laws.rows.rates[row];
             let is_one = above(slip.abs(), rounding::<S::Scalar>() * laws.rows.rate_sizes[row]);
             let is_valid = |Coefficients { kinetic, fixed }: &Coefficients<S::Scalar, C>| {
-                let (kinetic, fixed) = (kinetic[row], fixed[row]);
+                let (kinetic, fixed) = (kinetic[row].part(0), fixed[row].part(0));
                 // Coefficients are compared by their squares.
                 kinetic >= zero && fixed >= kinetic && (fixed * fixed).is_finite()
             };

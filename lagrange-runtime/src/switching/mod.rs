@@ -15,6 +15,7 @@ mod choice;
 mod contacts;
 mod corners;
 mod course;
+mod event;
 mod functions;
 mod guards;
 mod hybrid;

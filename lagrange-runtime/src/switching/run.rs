@@ -1,7 +1,6 @@
 //! A motion on its way from regime to regime.
 
-use super::course::Course;
-use super::guards::{Guard, Guards};
+use super::guards::Guard;
 use super::hybrid::{Memory, sum};
 use super::memory::shift;
 use super::scene::{Known, Scene, above, most};
@@ -19,16 +18,13 @@ use crate::system::state::State;
 /// The most changes of regime without any time between them, for each row and kink. More count as endless.
 pub(super) const CHANGES: usize = 4;
 
-/// The part of a piece at which its guard is compared with the end, for its slope.
-const EARLIER: f64 = 1.0 - 1e-3;
-
 /// The place where a piece ends before its step.
-struct Event<R, const N: usize> {
-    state: State<R, N>,
+pub(super) struct Event<R, const N: usize> {
+    pub(super) state: State<R, N>,
     /// The guard that has fired; `None` if the guards are known no further.
-    guard: Option<Guard>,
+    pub(super) guard: Option<Guard>,
     /// The delay of the time of the state after the zero of the guard, since times are rounded.
-    late: R,
+    pub(super) late: R,
 }
 
 /// A motion on its way.
@@ -121,7 +117,9 @@ where
                 shift(state, &choice.accelerations, late);
             }
             let in_regime = self.system.in_regime(&choice.regime);
+            let before = state.q;
             in_regime.project_at(&in_regime.constants(), state, None)?;
+            first.place(&before, &mut state.q, &choice.regime, scales);
             scene.part(&choice.regime, state);
             first.still(&mut state.v);
             return Ok(choice.regime);
@@ -242,73 +240,6 @@ where
             (self.memory.flips, self.memory.changes) = ([0; W], 0);
         }
         has_passed
-    }
-
-    /// The first event of the piece.
-    fn event(&mut self, attempts: &mut u64) -> Result<Option<Event<S::Scalar, N>>, Cause> {
-        let memory = &mut *self.memory;
-        let (start, end) = (memory.start, memory.end);
-        let (in_regime, constants) = (&memory.in_regime, &memory.constants);
-        let terms = M::terms(&memory.inner);
-        let inputs = &self.control.0;
-        let mut guards = Guards::new(self.system, in_regime, &memory.regime, inputs, &start, terms.is_some());
-        if guards.is_empty() {
-            return Ok(None);
-        }
-        let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
-        let (mut fall, mut known) = (None, one);
-        if let Some(terms) = terms {
-            let course = Course::new(terms, self.limits.relative, S::FOLLOWED);
-            let found = guards.first_along(&course, &end, memory.fired, attempts)?;
-            known = found.until;
-            fall = found.first.map(|found| {
-                let sizes = terms.sizes(&start, found.0.place);
-                (found, sizes, terms.length * terms.unit, terms.residue)
-            });
-        }
-        let inner = &mut memory.inner;
-        let (control, limits) = (self.control, self.limits);
-        let mut at = |part: S::Scalar| {
-            if part == zero {
-                return Some(start);
-            }
-            M::within(inner, in_regime, constants, control, limits, part).ok()
-        };
-        let mut first = fall
-            .as_ref()
-            .map(|((fall, guard), sizes, ..)| (guards.at_zero(*guard, *fall, sizes, &mut at), *guard));
-        // The time from the start to this part of the step, without the rounding of times.
-        let mut passed = first.zip(fall).map(|((part, _), (.., length, residue))| part * length + residue);
-        let until = first.map_or(known, |(part, _)| part);
-        let sampled = guards.first(&memory.scales, [start.t, end.t], until, attempts, &mut at)?;
-        if sampled.is_some() {
-            (first, passed) = (sampled, None);
-        }
-        let (part, guard) = match first {
-            Some((part, guard)) => (part, Some(guard)),
-            None if known < one => (known, None),
-            None => return Ok(None),
-        };
-        // A state belongs to a rounded time. The guard tells how much rounding has moved it.
-        let mut at_time = |part: S::Scalar| {
-            let t = start.t + part * (end.t - start.t);
-            let is_beyond =
-                part == num_traits::One::one() || (t - end.t) * (end.t - start.t) > num_traits::Zero::zero();
-            let t = if is_beyond { end.t } else { t };
-            if t == start.t {
-                return Ok(start);
-            }
-            M::sample(inner, in_regime, constants, control, limits, t, &mut 0).map_err(|error| error.cause)
-        };
-        let state = at_time(part)?;
-        let late = match (passed, guard) {
-            (Some(passed), _) => (state.t - start.t) - passed.part(0),
-            (None, Some(guard)) => {
-                guards.late(guard, [&at_time(part * S::Scalar::from_f64(EARLIER))?, &state])
-            }
-            (None, None) => zero,
-        };
-        Ok(Some(Event { state, guard, late }))
     }
 
     /// Changes the regime where a guard has fired.

@@ -1,5 +1,7 @@
 //! Rows of a system that stand still and rows that move, at one state.
 
+use num_traits::Zero;
+
 use super::{Coefficients, Laws, Regime, Row, Switching};
 use crate::number::elements::array;
 use crate::number::real::Real;
@@ -256,6 +258,31 @@ where
         for (v, &unit) in v.iter_mut().zip(&self.units) {
             if !above(v.abs(), ulps * fastest * unit) {
                 *v -= v.part(0);
+            }
+        }
+    }
+
+    /// Removes coordinates that a projection has made of nothing: those that it has changed by all that they
+    /// are, and that no row would notice. The remainder has no digits, like that of a velocity.
+    pub(super) fn place(
+        &self,
+        before: &[S::Scalar; N],
+        q: &mut [S::Scalar; N],
+        regime: &Regime<S::Scalar, C, W>,
+        scales: &Scales<S::Scalar, C>,
+    ) {
+        let ulps = S::Scalar::from_f64(8.0) * S::Scalar::epsilon();
+        for (i, (q, &before)) in q.iter_mut().zip(before).enumerate() {
+            let is_seen = |row: usize| {
+                let gradient =
+                    self.gradients.get(row).map_or(S::Scalar::zero(), |gradient| entry(gradient, i));
+                let size = most(entry(&scales.gaps, row), entry(&self.laws.rows.position_sizes, row));
+                above((gradient * *q).abs(), ulps * size)
+            };
+            if !above(q.abs(), (*q - before).abs())
+                && !(0..C).any(|row| regime.active.get(row) == Some(&true) && is_seen(row))
+            {
+                *q -= q.part(0);
             }
         }
     }

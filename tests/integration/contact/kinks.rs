@@ -135,3 +135,84 @@ fn a_motion_that_is_held_at_a_jump_ends_there() {
     let error = Relay.simulate(State::new([1.0], [0.0])).advance_to(20.0).unwrap_err();
     assert!(matches!(error.cause, Cause::HeldAtKink { name, .. } if name.as_str() == "relay"), "{error}");
 }
+
+/// A spring whose force, or whose extension, is limited.
+struct Limited {
+    limit: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Limited {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * (v.x * v.x + v.y * v.y)
+    }
+
+    #[potential]
+    fn extended(&self, q: &Coordinates) -> f64 {
+        2.0 * q.y.max(-self.limit).min(self.limit).powi(2)
+    }
+
+    #[force(on = x)]
+    fn pull(&self, q: &Coordinates) -> f64 {
+        (-4.0 * q.x).clamp(-self.limit, self.limit)
+    }
+}
+
+#[test]
+fn a_limit_that_is_not_reached_costs_no_digit() {
+    for limit in [1e3, 1e9, 1e15, 1e20, 1e100] {
+        let system = Limited { limit };
+        let start = State::at_rest([0.3, 0.3]);
+        assert_eq!(system.accelerations(&start).unwrap(), [-1.2, -1.2], "{limit:e}");
+        close(system.potential_energy(&start), 0.18, 1e-15);
+        let mut motion = system.simulate(start).with_tolerance(TIGHT);
+        let end = motion.advance_to(1.0).unwrap();
+        for q in end.q {
+            close(q, 0.3 * 2.0_f64.cos(), 1e-12);
+        }
+    }
+}
+
+#[test]
+fn a_limit_that_is_reached_holds() {
+    let system = Limited { limit: 0.5 };
+    for (x, expected) in [(0.1, -0.4), (1.0, -0.5), (-1.0, 0.5)] {
+        assert_eq!(system.accelerations(&State::at_rest([x, 0.0])).unwrap()[0], expected, "{x}");
+    }
+    for (y, energy) in [(0.1, 0.02), (3.0, 0.5), (-3.0, 0.5)] {
+        close(system.potential_energy(&State::at_rest([0.0, y])), energy, 1e-15);
+    }
+    // From 1 with the constant force 1/2 down to x = 1/8, and by the spring from there.
+    let mut motion = system.simulate(State::at_rest([1.0, 0.0])).with_tolerance(TIGHT);
+    let (t, v) = (3.5_f64.sqrt(), -0.5 * 3.5_f64.sqrt());
+    close(motion.advance_to(t).unwrap().q[0], 0.125, 1e-13);
+    let expected = 0.125 * 0.4_f64.cos() + v / 2.0 * 0.4_f64.sin();
+    close(motion.advance_to(t + 0.2).unwrap().q[0], expected, 1e-12);
+}
+
+/// A value by conditions that are joined; the other one is large.
+struct Joined;
+
+#[lagrangian(coordinates = [x])]
+impl Joined {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.x * v.x
+    }
+
+    #[force(on = x)]
+    fn pull(&self, q: &Coordinates) -> f64 {
+        let both = if q.x > -1.0 && q.x < 1.0 { q.x } else { 1e20 };
+        let either = if q.x < -2.0 || q.x > 2.0 { 1e20 } else { 3.0 * q.x };
+        let neither = if !(q.x < -2.0 || q.x > 2.0) { 5.0 * q.x } else { 1e20 };
+        both + either + neither
+    }
+}
+
+#[test]
+fn values_that_joined_conditions_leave_out_cost_no_digit() {
+    for (x, expected) in [(0.25, 2.25), (-0.5, -4.5), (1.5, 1e20), (-3.0, 3e20)] {
+        close(Joined.accelerations(&State::at_rest([x])).unwrap()[0], expected, 1e-15);
+    }
+}

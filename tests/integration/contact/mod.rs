@@ -11,6 +11,7 @@ mod inputs;
 mod kinks;
 mod laws;
 mod leashes;
+mod legs;
 mod nested;
 mod normals;
 mod onsets;

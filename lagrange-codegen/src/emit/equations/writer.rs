@@ -160,6 +160,21 @@ impl Writer<'_> {
     }
 
     fn application(&self, function: Unary, argument: NodeId, power: Option<Number>) -> Formula {
+        let graph = &self.model.graph;
+        // One where a condition holds, zero elsewhere.
+        if function == Unary::PositivePart
+            && graph.is_sign(argument)
+            && let (sign, of) = graph.scaled(argument)
+            && let Node::Unary(_, inner) = graph.node(of)
+        {
+            let arguments = vec![Formula::sum(self.terms(*inner, sign.is_negative()))];
+            return Formula::Application(Application {
+                name: "step",
+                power: None,
+                arguments,
+                is_grouped: true,
+            });
+        }
         let inner = self.expression(argument);
         let name = match function {
             Unary::Abs => return Formula::Absolute(Box::new(inner)),

@@ -59,14 +59,24 @@ fn bounced<R: Ordered>(y: R, v: R, e: R, g: R, t: R) -> [R; 2] {
 
 #[test]
 fn a_bouncing_ball_has_the_derivatives_of_its_closed_form() {
-    let varied = BALL.variational();
+    bounces_as_in_closed_form(0.8);
+}
+
+#[test]
+fn a_ball_that_loses_nothing_has_derivatives_by_its_restitution() {
+    bounces_as_in_closed_form(1.0);
+}
+
+fn bounces_as_in_closed_form(restitution: f64) {
+    let ball = Ball { restitution, ..BALL };
+    let varied = ball.variational();
     let mut motion = varied.motion(State::new([0.0, 1.0], [0.7, 0.3])).unwrap().with_tolerance(TIGHT);
     let number = |value, direction| Dual::<f64, 4>::variable(value, direction);
     for tenth in 1..=30 {
         let t = 0.1 * f64::from(tenth);
         let found = motion.advance_to(t).unwrap();
         let [y, v] =
-            bounced(number(1.0, 0), number(0.3, 1), number(0.8, 2), number(9.81, 3), Dual::constant(t));
+            bounced(number(1.0, 0), number(0.3, 1), number(restitution, 2), number(9.81, 3), Dual::constant(t));
         close_on(1.0, found.state.q[1], y.value, 1e-13);
         for (rows, exact) in
             [((found.q_by_q, found.q_by_v, found.q_by_p), y), ((found.v_by_q, found.v_by_v, found.v_by_p), v)]

@@ -1,0 +1,98 @@
+//! The place where a piece of the motion ends before its step.
+
+use super::Switching;
+use super::course::Course;
+use super::guards::Guards;
+use super::run::{Event, Run};
+use crate::number::real::{Ordered, Real};
+use crate::system::control::Held;
+use crate::system::error::Cause;
+use crate::system::method::Adaptive;
+
+/// The part of a piece at which its guard is compared with the end, for its slope.
+const EARLIER: f64 = 1.0 - 1e-3;
+
+impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+    M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
+{
+    /// The first event of the piece.
+    pub(super) fn event(&mut self, attempts: &mut u64) -> Result<Option<Event<S::Scalar, N>>, Cause> {
+        let memory = &mut *self.memory;
+        let (start, end) = (memory.start, memory.end);
+        let (in_regime, constants) = (&memory.in_regime, &memory.constants);
+        let terms = M::terms(&memory.inner);
+        let inputs = &self.control.0;
+        let mut guards = Guards::new(self.system, in_regime, &memory.regime, inputs, &start, terms.is_some());
+        if guards.is_empty() {
+            return Ok(None);
+        }
+        let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
+        let (mut fall, mut known) = (None, one);
+        if let Some(terms) = terms {
+            let course = Course::new(terms, self.limits.relative, S::FOLLOWED);
+            let found = guards.first_along(&course, &end, memory.fired, attempts)?;
+            known = found.until;
+            fall = found.first.map(|found| {
+                let sizes = terms.sizes(&start, found.0.place);
+                (found, sizes, terms.length * terms.unit, terms.residue)
+            });
+        }
+        let inner = &mut memory.inner;
+        let (control, limits) = (self.control, self.limits);
+        let mut at = |part: S::Scalar| {
+            if part == zero {
+                return Some(start);
+            }
+            M::within(inner, in_regime, constants, control, limits, part).ok()
+        };
+        let mut first = fall
+            .as_ref()
+            .map(|((fall, guard), sizes, ..)| (guards.at_zero(*guard, *fall, sizes, &mut at), *guard));
+        // The time from the start to this part of the step, without the rounding of times.
+        let mut passed = first.zip(fall).map(|((part, _), (.., length, residue))| part * length + residue);
+        let until = first.map_or(known, |(part, _)| part);
+        let sampled = guards.first(&memory.scales, [start.t, end.t], until, attempts, &mut at)?;
+        if sampled.is_some() {
+            (first, passed) = (sampled, None);
+        }
+        let (part, guard) = match first {
+            Some((part, guard)) => (part, Some(guard)),
+            None if known < one => (known, None),
+            None => return Ok(None),
+        };
+        // A state belongs to a rounded time. The guard tells how much rounding has moved it.
+        let span = end.t - start.t;
+        let is_beyond = |t: S::Scalar| (t - end.t) * span > zero;
+        let mut at_time = |t: S::Scalar| {
+            if t == start.t {
+                return Ok(start);
+            }
+            M::sample(inner, in_regime, constants, control, limits, t, &mut 0).map_err(|error| error.cause)
+        };
+        let time = |part: S::Scalar| {
+            let t = start.t + part * span;
+            if part == one || is_beyond(t) { end.t } else { t }
+        };
+        let mut state = at_time(time(part))?;
+        let late = match (passed, guard) {
+            (Some(passed), Some(guard)) => {
+                let late = |t: S::Scalar| (t - start.t) - passed.part(0);
+                // A reaction still holds at a time that is rounded to before its zero, and the regime that
+                // follows would end at once.
+                let next = state.t + S::Scalar::epsilon() * state.t.abs() * span.signum();
+                if guards.is_of_reactions(guard) && late(state.t) * span < zero && !is_beyond(next) {
+                    state = at_time(next)?;
+                }
+                late(state.t)
+            }
+            (None, Some(guard)) => {
+                guards.late(guard, [&at_time(time(part * S::Scalar::from_f64(EARLIER)))?, &state])
+            }
+            (_, None) => zero,
+        };
+        Ok(Some(Event { state, guard, late }))
+    }
+}
