@@ -1,9 +1,9 @@
 //! The place where a piece of the motion ends before its step.
 
-use super::Switching;
 use super::course::Course;
-use super::guards::Guards;
+use super::guards::{Guard, Guards};
 use super::run::{Event, Run};
+use super::{Row, Switching};
 use crate::number::real::{Ordered, Real};
 use crate::system::control::Held;
 use crate::system::error::Cause;
@@ -80,10 +80,16 @@ where
         let late = match (passed, guard) {
             (Some(passed), Some(guard)) => {
                 let late = |t: S::Scalar| (t - start.t) - passed.part(0);
-                // A reaction still holds at a time that is rounded to before its zero, and the regime that
-                // follows would end at once.
+                // A contact still presses at a time that is rounded to before the zero of its reaction, and
+                // would close again at once.
+                let is_contact =
+                    matches!(guard, Guard::Row(row) if S::ROWS.get(row) == Some(&Row::Unilateral));
                 let next = state.t + S::Scalar::epsilon() * state.t.abs() * span.signum();
-                if guards.is_of_reactions(guard) && late(state.t) * span < zero && !is_beyond(next) {
+                if is_contact
+                    && guards.is_of_reactions(guard)
+                    && late(state.t) * span < zero
+                    && !is_beyond(next)
+                {
                     state = at_time(next)?;
                 }
                 late(state.t)

@@ -75,8 +75,13 @@ fn bounces_as_in_closed_form(restitution: f64) {
     for tenth in 1..=30 {
         let t = 0.1 * f64::from(tenth);
         let found = motion.advance_to(t).unwrap();
-        let [y, v] =
-            bounced(number(1.0, 0), number(0.3, 1), number(restitution, 2), number(9.81, 3), Dual::constant(t));
+        let [y, v] = bounced(
+            number(1.0, 0),
+            number(0.3, 1),
+            number(restitution, 2),
+            number(9.81, 3),
+            Dual::constant(t),
+        );
         close_on(1.0, found.state.q[1], y.value, 1e-13);
         for (rows, exact) in
             [((found.q_by_q, found.q_by_v, found.q_by_p), y), ((found.v_by_q, found.v_by_v, found.v_by_p), v)]
