@@ -193,10 +193,10 @@ mod tests {
         let sides = g.sides(x);
         for (x, expected) in [(2.0, [1.0, 0.0]), (-3.0, [0.0, 1.0])] {
             assert_eq!(g.evaluate(&sides, |_| x), expected);
-            // Continued from the other side, both exchange their values, exactly.
+            // Continued from the other side, both exchange their values. A zero has no rounding errors.
             let [a, b] = g.evaluate_on_sides(&sides, |_| x, |_| x < 0.0)[..] else { panic!() };
             assert_eq!([a.value, b.value], [expected[1], expected[0]]);
-            assert_eq!([a.error, b.error], [f64::EPSILON * expected[1], f64::EPSILON * expected[0]]);
+            assert!([a, b].iter().all(|side| side.error <= 4.0 * f64::EPSILON * side.value));
         }
     }
 }
