@@ -68,12 +68,8 @@ impl Graph {
 
     /// A number between two bounds; the upper one where they contradict each other.
     pub fn clamp(&mut self, value: NodeId, [low, high]: [NodeId; 2]) -> NodeId {
-        let [above, below] = [(value, low), (high, value)].map(|(a, b)| self.sub(a, b));
-        let ([is_above, is_low], [is_below, is_high]) = (self.sides(above), self.sides(below));
-        let [inside, low] = [(is_above, value), (is_low, low)].map(|(side, x)| self.mul(side, x));
-        let at_most = self.add(inside, low);
-        let [at_most, high] = [(is_below, at_most), (is_high, high)].map(|(side, x)| self.mul(side, x));
-        self.add(at_most, high)
+        let at_least = self.chosen_by_order(value, low, [value, low]);
+        self.chosen_by_order(high, value, [at_least, high])
     }
 
     /// The first of two values where a ≥ b, else the second.

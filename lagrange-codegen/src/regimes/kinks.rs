@@ -216,8 +216,7 @@ pub(super) fn on_side(graph: &mut Graph, argument: NodeId, side: NodeId) -> Vec<
         for (function, image) in images {
             let node = graph.unary(function, argument);
             // An even or odd function has one node for both signs of its argument.
-            if matches!(*graph.node(node), Node::Unary(own, own_argument) if own == function && own_argument == argument)
-            {
+            if *graph.node(node) == Node::Unary(function, argument) {
                 replacements.push((node, image));
             }
         }
