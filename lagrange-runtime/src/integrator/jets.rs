@@ -14,6 +14,7 @@
 //! mass, length and time.
 
 mod expansion;
+pub(crate) mod fall;
 mod memory;
 pub(crate) mod paced;
 pub(crate) mod probe;
@@ -21,7 +22,7 @@ mod singular;
 mod step;
 
 use super::landing::Determined;
-use crate::number::real::{Ordered, Real, larger};
+use crate::number::real::{Ordered, Real};
 use crate::series::HIGHEST;
 use crate::system::control::Held;
 use crate::system::diagnose;
@@ -69,19 +70,6 @@ pub(crate) fn last_term<R: Ordered>(tolerance: R) -> R {
     } else {
         R::from_f64(FINEST) * rounding
     }
-}
-
-/// The largest ratio of successive terms of a series that counts as decay, at a step that follows from the
-/// last two.
-pub(crate) const STEEPEST: f64 = 6.0;
-
-/// The same where [`HIGHEST`] leaves fewer orders per digit than [`ORDERS_PER_DIGIT`], as happens for scalars
-/// with more digits than `f64`: 1.5 times the decay that tolerance and order demand. [`STEEPEST`] leaves the
-/// same factor.
-#[inline]
-fn steepest<R: Ordered>(relative: R, orders: usize) -> R {
-    let demanded = (-last_term(relative).ln() / R::from_f64(orders as f64)).exp();
-    larger(R::from_f64(STEEPEST), R::from_f64(1.5) * demanded)
 }
 
 /// The growth of a step below which a second look is not needed, since the error grows by a few times at
@@ -307,14 +295,5 @@ mod tests {
             assert_eq!(orders(tolerance, 0.8), order, "{tolerance:e}");
         }
         assert_eq!(orders(1e-14, 10.0), HIGHEST);
-    }
-
-    #[test]
-    fn terms_may_fall_by_six_unless_the_highest_order_asks_for_more() {
-        assert_eq!(steepest(1e-10, 21), STEEPEST);
-        // The last of 10 terms is a thousandth of an ulp: 1.5 times the decay that they demand.
-        let demanded = (1e-3 * f64::EPSILON).powf(-0.1);
-        let found: f64 = steepest(1e-30, 10);
-        assert!((found / (1.5 * demanded) - 1.0).abs() < 1e-12, "{found}");
     }
 }

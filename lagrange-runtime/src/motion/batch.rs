@@ -8,8 +8,9 @@ mod landing;
 mod lane;
 pub mod relay;
 
+use crate::integrator::jets::fall::{predicted, steepest};
 use crate::integrator::jets::probe::{self, Probe};
-use crate::integrator::jets::{NEAR, STEEPEST, last_term, orders};
+use crate::integrator::jets::{NEAR, last_term, orders};
 use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::series::HIGHEST;
@@ -228,9 +229,11 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
 
     #[inline]
     fn tolerated(&self, orders: usize, span: S::Scalar) -> S::Scalar {
+        let [last_term, steepest] =
+            [last_term(self.tolerance), steepest(self.tolerance, orders)].each(S::Scalar::splat);
         // Far below any other number, but not zero.
-        let last_terms = [S::Scalar::splat(last_term(self.tolerance)), S::Scalar::epsilon().powi(4)];
-        tolerated::<S, N, K>(&self.state, &self.series, last_terms, orders, span)
+        let bounds = [last_term, S::Scalar::epsilon().powi(4)];
+        tolerated::<S, N, K>(&self.state, &self.series, bounds, steepest, orders, span)
     }
 
     /// A length at which every lane obeys the equations of motion.
@@ -281,47 +284,70 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
     }
 }
 
-/// The lengths at which the terms of the highest orders fall to `last_terms`, relative to the size of a
-/// component and absolute, in units. The size of a component is that of its first terms over `span`. As in a
-/// single motion, terms before the last two bear a part of it, because the last ones may vanish by symmetry.
+/// The lengths at which the terms of the highest orders fall to `bounds`, relative to the size of a component
+/// and absolute, in units. The size of a component is that of its first terms over `span`. As in a single
+/// motion, earlier terms shorten them where the last two are small by chance: see
+/// [`fall`](crate::integrator::jets::fall). `steepest` is the first rule there, by order.
 #[inline]
 fn tolerated<S: Smooth<N, K>, const N: usize, const K: usize>(
     state: &State<S::Scalar, N>,
     series: &Series<S::Scalar, N, HIGHEST>,
     [relative, absolute]: [S::Scalar; 2],
+    steepest: S::Scalar,
     orders: usize,
     span: S::Scalar,
 ) -> S::Scalar {
     let number = S::Scalar::from_f64;
-    let mut worst = S::Scalar::epsilon().powi(4);
-    let mut weigh = |x: &[S::Scalar; N], rows: &[[S::Scalar; N]; HIGHEST], part: usize, least: S::Scalar| {
-        let row =
-            |k: usize| rows.get(k).map_or([num_traits::Zero::zero(); N], |row| row.each(|x| x.part(part)));
-        let (first, second) = (row(0), row(1));
-        let mut terms: [S::Scalar; N] = [num_traits::Zero::zero(); N];
-        for order in orders / 2..orders.saturating_sub(2) {
-            let term = row(order);
-            for i in 0..N {
-                terms[i] = (terms[i] * number(1.0 / STEEPEST)).max(term[i].abs());
-            }
-        }
-        let (before, last) = (row(orders - 2), row(orders - 1));
+    let [zero, one]: [S::Scalar; 2] = [num_traits::Zero::zero(), num_traits::One::one()];
+    let decline = steepest.recip();
+    let part_of =
+        |row: Option<&[S::Scalar; N]>, part| row.map_or([zero; N], |row| row.each(|x| x.part(part)));
+    // The reciprocals of the bounds of a last term.
+    let weights = |x: &[S::Scalar; N], rows: &[[S::Scalar; N]; HIGHEST], part: usize, least: S::Scalar| {
+        let (first, second) = (part_of(rows.first(), part), part_of(rows.get(1), part));
         let mut sizes: [S::Scalar; N] =
             array(|i| x[i].part(part).abs().max(first[i].abs() * span).max(second[i].abs() * span * span));
         for &first in S::ORIENTATIONS {
             attitude::share(&mut sizes, first, least);
         }
+        sizes.each(|size| (relative * size + absolute).recip())
+    };
+    // The size of the parameters of any orientation is 1 rad.
+    let of_q = |part| weights(&state.q, &series.q, part, if part == 0 { one } else { zero });
+    let of_v = |part| weights(&state.v, &series.v, part, zero);
+    let (mut last, mut early) = (S::Scalar::epsilon().powi(4), zero);
+    let mut weigh = |weights: [S::Scalar; N], rows: &[[S::Scalar; N]; HIGHEST], part: usize| {
+        let row = |k: usize| part_of(rows.get(k), part);
+        let mut terms = [zero; N];
+        for order in orders / 2..orders.saturating_sub(2) {
+            let term = row(order);
+            for i in 0..N {
+                terms[i] = (terms[i] * decline).max(term[i].abs());
+            }
+        }
+        let (before_last, at_last) = (row(orders - 2), row(orders - 1));
         for i in 0..N {
-            let early = terms[i] * number(1.0 / (STEEPEST * STEEPEST));
-            let term = last[i].abs().max(number(DECAY) * before[i].abs()).max(early);
-            worst = worst.max(term / (relative * sizes[i] + absolute));
+            last = last.max(at_last[i].abs().max(number(DECAY) * before_last[i].abs()) * weights[i]);
+            early = early.max(terms[i] * (decline * decline) * weights[i]);
         }
     };
     for part in 0..S::Scalar::PARTS {
-        // The size of the parameters of any orientation is 1 rad.
-        let [zero, one] = [num_traits::Zero::zero(), num_traits::One::one()];
-        weigh(&state.q, &series.q, part, if part == 0 { one } else { zero });
-        weigh(&state.v, &series.v, part, zero);
+        weigh(of_q(part), &series.q, part);
+        weigh(of_v(part), &series.v, part);
+    }
+    let mut worst = last.max(early);
+    if (early - last).largest() > num_traits::Zero::zero() {
+        let mut by_fall = zero;
+        for part in 0..S::Scalar::PARTS {
+            let weights = [of_q(part), of_v(part)];
+            let term = |order: usize| {
+                let rows = [&series.q, &series.v].map(|rows| part_of(rows.get(order - 1), part));
+                let sizes = |k: usize| (0..N).map(move |i| rows[k][i].abs() * weights[k][i]);
+                sizes(0).chain(sizes(1)).fold(zero, S::Scalar::max)
+            };
+            by_fall = by_fall.max(predicted(orders, term));
+        }
+        worst = last.max(early.min(by_fall));
     }
     (-worst.ln() / number(orders as f64)).exp()
 }

@@ -5,7 +5,8 @@ use num_traits::{One, Zero};
 use super::super::dop853::add;
 use super::super::landing::{Determined, across};
 use super::super::step_size;
-use super::{DECAY, GROWTH, ORDERS_PER_DIGIT, SAFETY, last_term, orders, steepest};
+use super::fall::{predicted, steepest};
+use super::{DECAY, GROWTH, ORDERS_PER_DIGIT, SAFETY, last_term, orders};
 use crate::constraints::Footing;
 use crate::linear::Independence;
 use crate::number::elements::{Each, array};
@@ -239,9 +240,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     /// The length at which the last two terms fall to the tolerance, in units of the scaled time; not finite
     /// where a coefficient is not, infinite for a polynomial.
     ///
-    /// Symmetry makes coefficients vanish, at x = 0 of x″ = −x³ two of any four orders, or nearly vanish
-    /// beside it. So the terms before the last two may not exceed the tolerance by more than
-    /// [`super::STEEPEST`] for each order either.
+    /// Terms before the last two shorten it where these are small by chance: see [`super::fall`].
     ///
     /// The size of a component is that of its first terms over `span`, which should be about the length
     /// itself. With `steady` the unit is the last step.
@@ -313,7 +312,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let (Some(q), Some(v)) = (q, v) else { return zero };
         let of = |x: R| x.part(part).largest();
         (0..N).fold(zero, |most, i| {
-            larger(larger(most, of(q[i]).abs() * weights[0][i]), of(v[i]).abs() * weights[1][i])
+            larger(most, larger(of(q[i]).abs() * weights[0][i], of(v[i]).abs() * weights[1][i]))
         })
     }
 
@@ -371,19 +370,24 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         self.shortened(length, term)
     }
 
-    /// The same if some term needs a shorter length.
+    /// The same if some term needs a shorter length. That by which the terms fall may do.
     #[cold]
-    fn shortened(&self, mut length: R::Lane, term: impl Fn(usize) -> R::Lane) -> R::Lane {
+    fn shortened(&self, length: R::Lane, term: impl Fn(usize) -> R::Lane) -> R::Lane {
         let steepest = self.steepest.largest();
-        let mut allowed = steepest;
+        let (mut shortened, mut allowed) = (length, steepest);
         for order in (self.orders / 2..self.orders - 1).rev() {
             allowed *= steepest;
             let term = term(order) / allowed;
-            if term != R::Lane::zero() && term * length.powi(order as i32) > R::Lane::one() {
-                length = reach(term, order);
+            if term != R::Lane::zero() && term * shortened.powi(order as i32) > R::Lane::one() {
+                shortened = reach(term, order);
             }
         }
-        length
+        if !length.is_finite() {
+            return shortened;
+        }
+        let last = predicted(self.orders, |order| term(order) * length.powi(order as i32));
+        let as_they_fall = length * smaller(reach(last, self.orders), R::Lane::one());
+        larger(as_they_fall, shortened)
     }
 }
 

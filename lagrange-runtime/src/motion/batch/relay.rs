@@ -19,6 +19,7 @@ use super::lane::zeros;
 pub use super::lane::{get, set};
 use super::{ORDERS_PER_DIGIT, tolerated};
 use crate::integrator::dop853::add;
+use crate::integrator::jets::fall::steepest;
 use crate::integrator::jets::{NEAR, SAFETY, last_term, orders};
 use crate::integrator::step_size;
 use crate::number::elements::Each;
@@ -62,6 +63,8 @@ where
     limits: Limits<Lane<S::Scalar>>,
     /// The order of the series, which follows from the tolerance.
     orders: usize,
+    /// The largest ratio of successive terms at this order and tolerance.
+    steepest: Lane<S::Scalar>,
     standing: [Standing; MOST],
     /// Attempts that a lane may still make.
     attempts: [u64; MOST],
@@ -89,12 +92,14 @@ where
         let zero: S::Scalar = Zero::zero();
         let none = State { t: zero, q: [zero; N], v: [zero; N] };
         let limits = Limits::new();
+        let orders = orders(limits.relative, ORDERS_PER_DIGIT);
         Self {
             constants: system.jet_constants(),
             system,
             tables: S::Tables::default(),
             series: Series::default(),
-            orders: orders(limits.relative, ORDERS_PER_DIGIT),
+            orders,
+            steepest: steepest(limits.relative, orders),
             limits,
             standing: [Standing::Idle; MOST],
             attempts: [0; MOST],
@@ -130,6 +135,7 @@ where
     pub fn with_tolerances(mut self, relative: Lane<S::Scalar>, absolute: Option<Lane<S::Scalar>>) -> Self {
         (self.limits.relative, self.limits.absolute) = (relative, absolute);
         self.orders = orders(relative, ORDERS_PER_DIGIT);
+        self.steepest = steepest(relative, self.orders);
         self
     }
 
@@ -259,8 +265,9 @@ where
         let Limits { relative, absolute, .. } = self.limits;
         let absolute =
             absolute.map_or(Zero::zero(), |absolute| Lane::<S::Scalar>::from_f64(SAFETY) * absolute);
-        let last_terms = [last_term(relative), absolute + step_size::smallest()].each(S::Scalar::splat);
-        tolerated::<S, N, K>(&self.state, &self.series, last_terms, self.orders, span)
+        let bounds = [last_term(relative), absolute + step_size::smallest()].each(S::Scalar::splat);
+        let steepest = S::Scalar::splat(self.steepest);
+        tolerated::<S, N, K>(&self.state, &self.series, bounds, steepest, self.orders, span)
     }
 
     /// The step of a lane; none if it does not move.

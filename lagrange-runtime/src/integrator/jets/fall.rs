@@ -1,0 +1,128 @@
+//! What earlier terms of a series say of its last ones.
+//!
+//! Symmetry makes coefficients vanish, at x = 0 of x″ = −x³ two of any four orders, or nearly vanish beside it.
+//! So the last two terms alone could say that a step is short enough when it is not. Earlier terms predict how
+//! large they would be otherwise, by one of two rules, of which the more generous one counts:
+//!
+//! 1. Terms fall from order to order by [`steepest`] at most.
+//! 2. Terms fall from an order k on as they fell to it, with ratios that grow like the order, as those of an
+//!    oscillation do, (ωt)ᵏ/k!: the Newton polygon of the series, the hull of its points (k, ln term), goes on
+//!    beyond its last vertex. Terms of a motion with many frequencies rise at first and then fall more steeply
+//!    than the first rule allows.
+
+use crate::number::real::{Ordered, Real};
+use crate::series::HIGHEST;
+
+use super::last_term;
+
+/// The largest ratio of successive terms of a series that counts as decay.
+///
+/// Of all sums of oscillations whose first terms are at most their size, and whose term of order p is the
+/// tolerance, a single one has the largest terms before that: (ωt)ᵏ/k!. Its last ratio is p/(ωt), where
+/// (ωt)ᵖ/p! is the tolerance; p/(p!)^(1/p) is less than e.
+#[inline]
+pub(crate) fn steepest<R: Ordered>(tolerance: R, orders: usize) -> R {
+    (R::one() - last_term(tolerance).ln() / R::from_f64(orders as f64)).exp()
+}
+
+/// The largest last term that a term of the upper half of a series predicts by the second rule. `term` gives the
+/// size of an order.
+#[cold]
+#[inline(never)]
+pub(crate) fn predicted<R: Real>(orders: usize, term: impl Fn(usize) -> R) -> R {
+    // A term of zero has no logarithm. This one is far below any that counts.
+    let least = R::epsilon().powi(4);
+    let mut logarithms = [least.ln(); HIGHEST];
+    let logarithms = logarithms.get_mut(..orders.saturating_sub(2)).unwrap_or_default();
+    for (k, logarithm) in (1..).zip(logarithms.iter_mut()) {
+        *logarithm = term(k).max(least).ln();
+    }
+    let mut largest = least.ln();
+    for (at, &here) in logarithms.iter().enumerate().skip((orders / 2).saturating_sub(1)) {
+        let k = at + 1;
+        // The mean fall from an earlier order to this one: that from the last vertex where this is one, too.
+        let before = logarithms.iter().take(at).enumerate();
+        let fall = |(j, &there): (usize, &R)| (there - here) * R::from_f64(1.0 / (at - j) as f64);
+        let Some(steepest) = before.map(fall).reduce(R::max) else { continue };
+        // The mean of the orders that follow, over this one: at least the geometric mean of their ratios.
+        let rise = R::from_f64((orders + k + 1) as f64 / (2 * k) as f64).ln();
+        largest = largest.max(here - R::from_f64((orders - k) as f64) * (steepest + rise));
+    }
+    largest.exp()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// (ωt)ᵏ/k! in tolerances, for a size of one.
+    fn oscillation(x: f64, tolerance: f64) -> impl Fn(usize) -> f64 {
+        move |k| (1..=k).map(|i| x / i as f64).product::<f64>() / last_term(tolerance)
+    }
+
+    /// The largest x at which the last term of an oscillation is in the tolerance.
+    fn tolerated(tolerance: f64, orders: usize) -> f64 {
+        let [mut low, mut high] = [0.0, 1e3];
+        for _ in 0..100 {
+            let middle = 0.5 * (low + high);
+            let inside = oscillation(middle, tolerance)(orders) < 1.0;
+            if inside { low = middle } else { high = middle }
+        }
+        low
+    }
+
+    const CASES: [(f64, usize); 4] = [(1e-3, 8), (1e-6, 14), (1e-10, 30), (1e-14, HIGHEST)];
+
+    #[test]
+    fn the_terms_of_an_oscillation_are_not_too_steep() {
+        for (tolerance, p) in CASES {
+            let term = oscillation(tolerated(tolerance, p), tolerance);
+            let most: f64 = steepest(tolerance, p);
+            for k in 1..p {
+                assert!(term(k) < most.powi((p - k) as i32), "{tolerance:e}, {p}, {k}");
+            }
+            // Nor is the bound much larger than they ask for.
+            assert!(term(p - 1) > 0.6 * most, "{tolerance:e}, {p}");
+        }
+    }
+
+    #[test]
+    fn the_hull_of_an_oscillation_predicts_its_last_term() {
+        for (tolerance, p) in CASES {
+            let term = oscillation(tolerated(tolerance, p), tolerance);
+            let found = predicted(p, &term);
+            assert!(found < 1.0 && found > 0.5, "{tolerance:e}, {p}: {found}");
+        }
+    }
+
+    #[test]
+    fn a_geometric_series_with_gaps_of_any_width_is_seen() {
+        // Of some orders two have terms, which fall threefold an order; the last two have none.
+        for period in 3..9 {
+            for phase in 0..period {
+                let has = |k: usize| (k + phase) % period < 2;
+                let p = 24;
+                if has(p) || has(p - 1) {
+                    continue;
+                }
+                let term = |k: usize| if has(k) { 3f64.powi((p - k) as i32) } else { 1e-25 };
+                let found = predicted(p, term);
+                // Less by the rise that is allowed for, over the gap before the last order.
+                let k = (1..=p).rev().find(|&k| has(k)).unwrap();
+                let expected = ((2 * k) as f64 / (p + k + 1) as f64).powi((p - k) as i32);
+                assert!(
+                    (found / expected - 1.0).abs() < 1e-12,
+                    "{period}, {phase}: {found:e} for {expected:e}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn zeros_predict_nothing_and_a_term_alone_something() {
+        assert!(predicted(12, |_| 0.0) < 1e-60);
+        // The order 9 alone, above what counts as zero by e²⁰.
+        let found = predicted(12, |k| if k == 9 { 1e-60 } else { 0.0 });
+        assert!(found > 1e-61 && found < 1e-58, "{found:e}");
+    }
+}
