@@ -22,7 +22,7 @@ where
     let open = Regime::<S::Scalar, C, W>::open(&S::ROWS);
     let kinks = sides(&laws.kinks, &open.kinks, &laws.kink_sizes);
     let state = State { t, q: *q, v: *v };
-    let known = Known { closed: [false; C], fired: None, settled: true };
+    let known = Known { closed: [false; C], fired: None, settled: true, rested: [false; C] };
     let scene = Scene::new(system, &state, u, kinks, &Scales::new(), &known);
     let choice = scene.choose(&open, None).ok()?;
     Some((scene, choice))

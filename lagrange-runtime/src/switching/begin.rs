@@ -40,7 +40,7 @@ where
             in_regime.check_at(&in_regime.constants(), *t, q, v).map_err(|cause| cause.named(&S::NAMES))?;
         }
         let closed = self.penetrating(&state, &laws)?;
-        let known = Known { closed, fired: None, settled: false };
+        let known = Known { closed, fired: None, settled: false, rested: [false; C] };
         let regime = self.settle(&mut state, &present, known, num_traits::Zero::zero())?;
         if S::Scalar::PARTS > 1
             && let Some(row) =
@@ -115,7 +115,7 @@ where
             return Ok(closed);
         }
         let share = S::Scalar::from_f64(1.0 / 16.0) * S::Scalar::epsilon().sqrt();
-        let known = Known { closed: [false; C], fired: None, settled: true };
+        let known = Known { closed: [false; C], fired: None, settled: true, rested: [false; C] };
         let scene = Scene::new(
             self.system,
             state,

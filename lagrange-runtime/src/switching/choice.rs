@@ -154,19 +154,21 @@ where
                 }
                 _ => Options::new(&[Part::Off]),
             };
-            options.with(Part::of(row, kind, present), avoid != Some(row))
+            let part = match kind {
+                // A contact that touches bears, if only nothing, and friction at rest holds: so a body rests on
+                // all its feet.
+                Row::Unilateral | Row::Friction { pair: Some(_), .. } if avoid != Some(row) => Part::On,
+                _ => Part::of(row, kind, present),
+            };
+            options.with(part, avoid != Some(row))
         })
     }
 
     /// The consequences of a regime; `None` where it has no accelerations.
     fn trial(&self, regime: Regime<S::Scalar, C, W>) -> Option<Choice<S::Scalar, N, C, W>> {
-        let begins = |row: usize| {
-            matches!(S::ROWS[row], Row::Friction { pair: Some(_), .. })
-                && self.status[row] == Status::Rests
-                && regime.slip[row] != num_traits::Zero::zero()
-        };
-        let has_begun = (0..C).any(begins);
-        let velocities = if has_begun { self.begun(&regime, begins)? } else { self.state.v };
+        let begins = self.beginning(&regime);
+        let has_begun = begins.any();
+        let velocities = if has_begun { self.begun(&regime, &begins)? } else { self.state.v };
         let (mut balance, sizes) = self.balance(&regime, &velocities)?;
         // Where rows depend on each other there are other reactions as well.
         if balance.independence.rank < balance.independence.rows
@@ -177,7 +179,7 @@ where
         }
         let zero = num_traits::Zero::zero();
         let later =
-            if has_begun { self.later(begins, &velocities, &balance, &sizes).unwrap_or(zero) } else { zero };
+            if has_begun { self.later(&begins, &velocities, &balance, &sizes).unwrap_or(zero) } else { zero };
         Some(Choice {
             regime,
             velocities,
@@ -252,8 +254,15 @@ where
             let rate = self.rate(row, &trial.accelerations);
             let own = self.gradients.get(row).map_or(zero, |own| extent(own, &sizes.accelerations));
             let play = part * (own + entry(&self.gamma, row).abs());
-            // Rows that depend on each other may demand contradictory things.
-            let inexact = most(part, S::Scalar::epsilon().sqrt()) / part * play;
+            // Rows that depend on each other may demand contradictory things. Where nothing pulls, accelerations
+            // are rounding errors; those that friction could prevent are the measure of them.
+            let prevented = match kind {
+                Row::Friction { normal, .. } => {
+                    self.limit(row, *normal, &trial.multipliers).abs() * self.mobility(row)
+                }
+                _ => zero,
+            };
+            let inexact = most(part, S::Scalar::epsilon().sqrt()) * (play / part + prevented);
             if trial.regime.active[row] && *kind != Row::Bilateral && above(rate.abs(), inexact) {
                 return Err(row);
             }
@@ -292,6 +301,13 @@ where
             }
         }
         Ok(())
+    }
+
+    /// The acceleration of a row by a force of one along it alone.
+    fn mobility(&self, row: usize) -> S::Scalar {
+        let Some(gradient) = self.gradients.get(row) else { return num_traits::Zero::zero() };
+        let by_unit: [S::Scalar; N] = array(|i| gradient[i] * self.units[i]);
+        product(&by_unit, &by_unit)
     }
 
     /// The largest force of a friction that sticks, in the direction of its force.

@@ -102,7 +102,7 @@ where
             _ => zero,
         });
         let v = array(|i| self.state.v[i] + compression.changes[i]);
-        let known = Known { closed: self.is_closed, fired: None, settled: true };
+        let known = Known { closed: self.is_closed, fired: None, settled: true, rested: [false; C] };
         let scales = Scales { speeds: self.speeds, ..Scales::new() };
         let state = State { v, ..self.state };
         let between = Scene::new(self.system, &state, self.inputs, self.kinks, &scales, &known);

@@ -1,7 +1,7 @@
 //! Slips in two directions that begin: their directions, and how they begin.
 
 use super::choice::Sizes;
-use super::scene::{Scene, above, extent, most, product, rounding};
+use super::scene::{Scene, Status, above, entry, extent, most, product, rounding};
 use super::turning::{TURNS, Turning, pairs};
 use super::{Regime, Switching};
 use crate::constraints::Balance;
@@ -14,39 +14,75 @@ use crate::system::state::State;
 /// the inverse of this number.
 const LAUNCHED: f64 = 16.0;
 
+/// Which slips in two directions begin: the rows of both directions.
+pub(super) struct Begins<const C: usize>([bool; C]);
+
+impl<const C: usize> Begins<C> {
+    /// Whether a row is that of a slip that begins.
+    pub(super) fn has(&self, row: usize) -> bool {
+        self.0.get(row) == Some(&true)
+    }
+
+    /// Whether any slip begins.
+    pub(super) fn any(&self) -> bool {
+        self.0.contains(&true)
+    }
+}
+
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
 where
     S: Switching<N, K, C, W>,
 {
+    /// The slips that begin in a regime.
+    pub(super) fn beginning(&self, regime: &Regime<S::Scalar, C, W>) -> Begins<C> {
+        let mut begins = [false; C];
+        for rows in pairs(&S::ROWS) {
+            let slips = |row: usize| entry(&regime.slip, row) != num_traits::Zero::zero();
+            if self.status.get(rows[0]) == Some(&Status::Rests) && slips(rows[0]) {
+                for row in rows {
+                    if let Some(begins) = begins.get_mut(row) {
+                        *begins = true;
+                    }
+                }
+            }
+        }
+        Begins(begins)
+    }
+
     /// Velocities with the smallest slip whose direction the motion knows, in the directions in which slips
     /// begin. These are the directions of their accelerations under friction against them.
     #[cold]
     pub(super) fn begun(
         &self,
         regime: &Regime<S::Scalar, C, W>,
-        begins: impl Fn(usize) -> bool,
+        begins: &Begins<C>,
     ) -> Option<[S::Scalar; N]> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let State { t, q, v } = &self.state;
         let mut stuck = *regime;
-        for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
+        for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins.has(*row)) {
             stuck.slip[row] = zero;
             (stuck.active[row], stuck.active[other]) = (true, true);
         }
         let held = S::equations_in(&self.system.in_regime(&stuck), *t, q, v, self.inputs)?;
+        let strengths = self.balance(&stuck, v)?.1.accelerations;
         let mut slips = held.balance().multipliers.each(|force| -force);
         let (mut turning, mut is_scaled) = (Turning::new(), false);
         let mut velocities = *v;
         for _ in 0..TURNS {
             let mut lack = [zero; C];
-            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
+            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins.has(*row)) {
                 let length = slips[row].hypot(slips[other]);
                 if !length.is_positive() {
                     return None;
                 }
-                let size = most(self.speeds[row], self.speeds[other]);
-                let size = if size.is_positive() { size } else { S::Scalar::epsilon() };
-                let size = size * self.lost * S::Scalar::from_f64(LAUNCHED);
+                let lost = most(self.speeds[row], self.speeds[other]) * self.lost;
+                // In the time that rounding hides, forces change a velocity by this.
+                let [a, b] = [row, other].each(|row| extent(&self.gradients[row], &strengths));
+                let hidden = S::Scalar::from_f64(4.0) * S::Scalar::epsilon() * t.abs() * most(a, b);
+                let least = most(lost, hidden);
+                let least = if least.is_positive() { least } else { S::Scalar::epsilon() * self.lost };
+                let size = least * S::Scalar::from_f64(LAUNCHED);
                 for row in [row, other] {
                     lack[row] = size * slips[row] / length - self.laws.rows.rates[row];
                 }
@@ -55,7 +91,7 @@ where
             velocities = array(|i| v[i] + change[i]);
             let (balance, sizes) = self.balance(regime, &velocities)?;
             let (mut lacks, mut is_done) = ([zero; C], true);
-            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
+            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins.has(*row)) {
                 let rates = [row, other].each(|row| self.rate(row, &balance.accelerations));
                 let speed = rates[0].hypot(rates[1]);
                 let noise = rounding::<S::Scalar>() * extent(&self.gradients[row], &sizes.accelerations);
@@ -85,13 +121,13 @@ where
     #[cold]
     pub(super) fn later(
         &self,
-        begins: impl Fn(usize) -> bool,
+        begins: &Begins<C>,
         velocities: &[S::Scalar; N],
         balance: &Balance<S::Scalar, N, C>,
         sizes: &Sizes<S::Scalar, N>,
     ) -> Option<S::Scalar> {
         let mut later = num_traits::Zero::zero();
-        for rows in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
+        for rows in pairs(&S::ROWS).filter(|[row, _]| begins.has(*row)) {
             let [x, y] = rows.each(|row| self.laws.rows.rates[row] + self.change(row, velocities));
             let [turn_x, turn_y] = rows.each(|row| self.rate(row, &balance.accelerations));
             let [a, b] = rows.each(|row| extent(&self.gradients[row], &sizes.accelerations));

@@ -30,8 +30,11 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) is_cut: bool,
     /// The impulses of the last change of regime, zero where it was no impact.
     pub(super) impulses: [R; C],
-    /// The accelerations on the way to it.
-    pub(super) way: [R; N],
+    /// The time of that change. A slip in two directions that comes to rest does so after the piece, and one
+    /// that begins is followed from a little later on.
+    pub(super) switched: R,
+    /// The accelerations at the end of the way to it, and their rate on the way.
+    pub(super) way: [[R; N]; 2],
     /// Whether the piece is such a way, which no method has taken.
     pub(super) is_way: bool,
     /// Whether the motion has to find its regime first.
@@ -66,7 +69,13 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
     pub(super) fn on_way(&self, t: R) -> State<R, N> {
         let mut state = self.after();
         let dt = t - state.t;
-        shift(&mut state, &self.way, dt);
+        let [accelerations, rates] = &self.way;
+        shift(&mut state, accelerations, dt);
+        let half = R::from_f64(0.5);
+        for ((q, v), &rate) in state.q.iter_mut().zip(&mut state.v).zip(rates) {
+            *q += rate * (dt * dt * dt) / R::from_f64(6.0);
+            *v += half * rate * (dt * dt);
+        }
         State { t, ..state }
     }
 
@@ -81,9 +90,23 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         self.is_way
     }
 
-    /// The states before and after the change of regime that ends the piece.
+    /// The state before the change of regime that ends the piece, and that at its time after it.
     pub(super) fn switch(&self) -> Option<(State<R, N>, State<R, N>)> {
-        self.next.filter(|_| !self.is_cut).map(|(_, state)| (self.end, state))
+        self.next.filter(|_| !self.is_cut).map(|_| (self.end, self.switched()))
+    }
+
+    /// The state at the time of the last change of regime, after it.
+    fn switched(&self) -> State<R, N> {
+        if self.after().t == self.switched { self.after() } else { self.on_way(self.switched) }
+    }
+
+    /// The state at a time where the regime changes, after that, or where the next piece begins.
+    pub(super) fn beside(&self, t: R) -> Option<State<R, N>> {
+        let after = self.after();
+        if t == after.t {
+            return Some(after);
+        }
+        (t == self.switched && self.next.is_some()).then(|| self.switched())
     }
 
     /// The impulses of the last change of the regime.
@@ -108,6 +131,7 @@ where
     pub(super) fn count_from(&mut self, instant: R) {
         self.start.t -= instant;
         self.end.t -= instant;
+        self.switched -= instant;
         if let Some((_, state)) = &mut self.next {
             state.t -= instant;
         }

@@ -17,6 +17,7 @@ mod corners;
 mod course;
 mod event;
 mod functions;
+mod growing;
 mod guards;
 mod hybrid;
 mod impact;

@@ -68,7 +68,8 @@ where
         mut known: Known<C>,
         late: S::Scalar,
     ) -> Result<Regime<S::Scalar, C, W>, Cause> {
-        self.memory.way = [num_traits::Zero::zero(); N];
+        self.memory.way = [[num_traits::Zero::zero(); N]; 2];
+        self.memory.switched = state.t.part(0);
         if S::ROWS.iter().any(|row| *row != Row::Bilateral) {
             let inputs = &self.control.0;
             let scales = &mut self.memory.scales;
@@ -86,7 +87,7 @@ where
                 {
                     return Err(cause);
                 }
-                known = Known { closed: scene.is_closed, fired: None, settled: true };
+                known = Known { closed: scene.is_closed, fired: None, settled: true, rested: [false; C] };
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &later;
             }
@@ -105,10 +106,19 @@ where
             for (seen, &now) in scales.reactions.iter_mut().zip(&choice.multipliers) {
                 *seen = most(*seen, now.abs());
             }
-            self.memory.way = choice.accelerations;
+            self.memory.way[0] = choice.accelerations;
             // The time of a state is a number alone: its variation is in `late`.
             state.t = state.t.part(0);
-            if choice.later.is_positive() {
+            if let Some(grown) = scene.grown(&choice, scales) {
+                shift(state, &choice.accelerations, late);
+                let later = grown.later.part(0);
+                state.t += later;
+                let [gain_q, gain_v] = grown.gain;
+                state.q = array(|i| state.q[i] + gain_q[i]);
+                state.v = array(|i| state.v[i] + gain_v[i]);
+                self.memory.way = grown.way;
+                choice.regime = grown.regime;
+            } else if choice.later.is_positive() {
                 let later = choice.later.part(0);
                 state.t += later;
                 shift(state, &choice.accelerations, late + later);
@@ -273,7 +283,7 @@ where
         if S::Scalar::PARTS > 1 {
             self.complete(guard, &mut a, t);
         }
-        let known = Known { closed: present.active, fired, settled: false };
+        let known = Known { closed: present.active, fired, settled: false, rested: [false; C] };
         let varied = if S::Scalar::PARTS > 1 && regime_ends {
             self.varied(guard, &state, &a, |run, state| run.settle(state, &present, known, late))?
         } else {
@@ -294,9 +304,8 @@ where
     ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>> {
         loop {
             if !self.memory.is_fresh {
-                let after = self.memory.after();
-                if t == after.t {
-                    return Ok(after);
+                if let Some(state) = self.memory.beside(t) {
+                    return Ok(state);
                 }
                 if self.memory.covers(t) {
                     let memory = &mut *self.memory;

@@ -119,6 +119,8 @@ pub(super) struct Known<const C: usize> {
     pub(super) closed: [bool; C],
     /// The row whose guard has led here: its gap or its slip velocity is zero.
     pub(super) fired: Option<usize>,
+    /// Slips that count as zero, likewise.
+    pub(super) rested: [bool; C],
     /// Whether impacts are over: the closing velocities that are left are rounding errors.
     pub(super) settled: bool,
 }
@@ -238,7 +240,8 @@ where
                 let other = pair.map_or(num_traits::Zero::zero(), |other| rows.rates[other]);
                 let size = pair.map_or(self.speeds[row], |other| most(self.speeds[row], self.speeds[other]));
                 let is_other = pair.is_some_and(|other| known.fired == Some(other));
-                if fired || is_other || !above(rows.rates[row].hypot(other), part * size) {
+                if fired || is_other || known.rested[row] || !above(rows.rates[row].hypot(other), part * size)
+                {
                     Status::Rests
                 } else {
                     Status::Slips

@@ -3,6 +3,7 @@
 use super::memory::shift;
 use super::run::Run;
 use super::scene::{Known, Scene, above, entry, most};
+use super::turning::pairs;
 use super::{Row, Switching};
 use crate::number::real::{Ordered, Real};
 use crate::system::control::Held;
@@ -52,7 +53,8 @@ where
             }
             let (memory, inputs) = (&*self.memory, &self.control.0);
             let State { t, q, v } = memory.end;
-            let known = Known { closed: memory.regime.active, fired: None, settled: true };
+            let known =
+                Known { closed: memory.regime.active, fired: None, settled: true, rested: [false; C] };
             let scene =
                 Scene::new(self.system, &memory.end, inputs, memory.regime.kinks, &memory.scales, &known);
             let Some(equations) = S::equations_in(&memory.in_regime, t, &q, &v, inputs) else { continue };
@@ -70,11 +72,20 @@ where
             let mut state = State { t: t + left, q, v };
             shift(&mut state, &a, left);
             let present = memory.regime;
-            let known = Known { closed: present.active, fired: Some(row), settled: false };
+            // Feet that come to rest together do so up to the tolerance.
+            let mut rested = [false; C];
+            for rows in pairs(&S::ROWS).filter(|&[row, other]| self.rests(row, other, &state)) {
+                for row in rows {
+                    if let Some(rested) = rested.get_mut(row) {
+                        *rested = true;
+                    }
+                }
+            }
+            let known = Known { closed: present.active, fired: Some(row), settled: false, rested };
             let regime = self.settle(&mut state, &present, known, left.part(0) - left)?;
             // If another slip begins at once, that is the way.
             if state.t == t + left.part(0) {
-                self.memory.way = a;
+                self.memory.way[0] = a;
             }
             self.memory.next = Some((regime, state));
             return Ok(());

@@ -235,7 +235,7 @@ fn no_impact_makes_energy_or_penetrates() {
             coefficients: core::array::from_fn(|_| random()),
         });
         let state = State::new([0.0; 3], core::array::from_fn(|_| 2.0 * random() - 1.0));
-        let known = Known { closed: [true; 4], fired: None, settled: false };
+        let known = Known { closed: [true; 4], fired: None, settled: false, rested: [false; 4] };
         let scene = Scene::new(&any, &state, &[], [], &Scales::new(), &known);
         if !scene.has_impact() {
             continue;
