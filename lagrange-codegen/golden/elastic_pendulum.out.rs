@@ -647,6 +647,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
     #[allow(clippy::all, unused_variables)]
     impl lagrange::Tangent<2usize, 1usize, 0usize> for ElasticPendulum {
         const HOLONOMIC: [bool; 0] = [];
+        const TURNS: [bool; 0] = [];
         #[inline]
         fn balanced_at(
             &self,

@@ -5,7 +5,7 @@ use super::block::Values;
 use super::body::{self, Source};
 use super::names::{Names, name_accelerations};
 use super::{Emission, block, scalar, screws};
-use crate::expr::NodeId;
+use crate::expr::{NodeId, Variable};
 use crate::mechanics::{Linearization, Sensitivities};
 use crate::model::ConstraintKind;
 use crate::schedule::plan;
@@ -129,7 +129,7 @@ fn free(
     );
     let deviations =
         "lagrange::Residuals { positions: [], position_sizes: [], rates: [], rate_sizes: [] }".to_owned();
-    let tangent = tangent(emission, [&balance, &deviations, &imbalance, &by_t]);
+    let tangent = tangent(emission, &[], [&balance, &deviations, &imbalance, &by_t]);
     (linearized, tangent)
 }
 
@@ -170,6 +170,11 @@ fn constrained(emission: &mut Emission<'_>, derived: Linearization) -> (String, 
         reduced("reduced_by_inputs", ""),
     );
 
+    let graph = &emission.model.graph;
+    let rows = emission.equations.conditions.jacobian.iter().zip(&rates_by_q);
+    let turns: Vec<bool> = rows
+        .map(|(row, rates)| graph.any_depends_on(row.iter().chain(rates).copied(), Variable::Time))
+        .collect();
     let zero = scalar::zero(&emission.scalar);
     let matrices = [
         ("mass", count, mass(emission)),
@@ -213,31 +218,39 @@ fn constrained(emission: &mut Emission<'_>, derived: Linearization) -> (String, 
     let surface = format!("<Self as lagrange::Surface<{count}, {inputs}, {held}>>");
     let balance = format!("{surface}::balance_at(self, constants, t, q, v, u)");
     let deviations = format!("{surface}::residuals_at(self, t, q, v)");
-    let tangent = tangent(emission, [&balance, &deviations, &imbalance, &variation]);
+    let tangent = tangent(emission, &turns, [&balance, &deviations, &imbalance, &variation]);
     (linearized, tangent)
 }
 
-/// The items of `Tangent` from the bodies of its functions.
-fn tangent(emission: &Emission<'_>, [balance, deviations, imbalance, variation]: [&str; 4]) -> String {
+/// The items of `Tangent` from the constraints whose gradients depend on time and the bodies of its
+/// functions.
+fn tangent(
+    emission: &Emission<'_>,
+    turns: &[bool],
+    [balance, deviations, imbalance, variation]: [&str; 4],
+) -> String {
     let (count, inputs, held) =
         (emission.count(), emission.model.inputs.len(), emission.equations.conditions.count());
     let (scalar, vector) = (&emission.scalar, emission.vector_type());
     let given = emission.input_type();
     let kinds = emission.model.constraints.iter().map(|constraint| constraint.kind);
     let kinds: Vec<String> = kinds.map(|kind| (kind == ConstraintKind::Holonomic).to_string()).collect();
+    let turns: Vec<String> = turns.iter().map(bool::to_string).collect();
     let state = format!("t: {scalar}, q: &{vector}, v: &{vector}");
     let place = format!(
         "&self, constants: &Self::Constants, place: &lagrange::Place<'_, {scalar}, {count}, {inputs}, {held}>"
     );
     format!(
         "const HOLONOMIC: [bool; {held}] = [{}];\n\
+         const TURNS: [bool; {held}] = [{}];\n\
          #[inline]\nfn balanced_at(&self, constants: &Self::Constants, {state}, u: &{given}) \
          -> lagrange::Balance<{scalar}, {count}, {held}> {{\n{balance}\n}}\n\
          #[inline]\nfn deviations_at(&self, {state}) -> lagrange::Residuals<{scalar}, {held}> {{\n{deviations}\n}}\n\
          #[inline]\nfn imbalance_at({place}) -> lagrange::Imbalance<{scalar}, {count}, {held}> {{\n{imbalance}\n}}\n\
          #[inline]\nfn variation_at({place}) -> lagrange::Variation<{scalar}, {count}, {inputs}, {held}> \
          {{\n{variation}\n}}\n",
-        kinds.join(", ")
+        kinds.join(", "),
+        turns.join(", ")
     )
 }
 

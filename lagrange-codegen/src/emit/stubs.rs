@@ -66,6 +66,7 @@ pub(crate) fn stubs(item: &mut Item) -> TokenStream {
 
             impl #impl_generics lagrange::Tangent<#count, #inputs, #total_held> for #self_ty #where_clause {
                 const HOLONOMIC: [bool; #total_held] = [false; #total_held];
+                const TURNS: [bool; #total_held] = [false; #total_held];
                 fn balanced_at(
                     #place, _: &[#scalar; #inputs]
                 ) -> lagrange::Balance<#scalar, #count, #total_held> { loop {} }

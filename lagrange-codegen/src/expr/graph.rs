@@ -257,8 +257,13 @@ impl Graph {
 
     /// Whether a node depends on one variable.
     pub fn depends_on(&self, id: NodeId, variable: Variable) -> bool {
+        self.any_depends_on([id], variable)
+    }
+
+    /// Whether one of some nodes depends on a variable.
+    pub fn any_depends_on(&self, ids: impl IntoIterator<Item = NodeId>, variable: Variable) -> bool {
         match self.known.get(&Node::Variable(variable)) {
-            Some(&node) => self.cone([id]).binary_search(&node).is_ok(),
+            Some(&node) => self.cone(ids).binary_search(&node).is_ok(),
             None => false,
         }
     }

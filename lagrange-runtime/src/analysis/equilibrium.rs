@@ -8,9 +8,12 @@
 //! Where g has a potential, [`descent`] goes down in it, and Newton's method gives the last digits; where
 //! not, Newton's method does it all ([`newton`]). [`stability`] says what was found.
 
+mod confirmed;
+mod curvature;
 mod descent;
 mod newton;
 mod resolution;
+mod resting;
 mod stability;
 mod statics;
 
@@ -79,6 +82,14 @@ pub enum EquilibriumError {
         /// Its name.
         name: Name,
     },
+    /// The gradient of this constraint turns with time, which drives what it holds. Forces may be balanced,
+    /// but the potential energy does not tell where the system comes to rest.
+    TurningConstraint {
+        /// Index of the constraint.
+        constraint: usize,
+        /// Its name.
+        name: Name,
+    },
     /// The forces cannot be balanced near the guess.
     Unbalanced {
         /// Index of the coordinate along which the largest force is left.
@@ -110,7 +121,9 @@ impl EquilibriumError {
     pub(super) fn named(mut self, names: &Names) -> Self {
         match &mut self {
             Self::Constraints(cause) => *cause = cause.named(names),
-            Self::MovingConstraint { constraint, name } => *name = names.constraint(*constraint),
+            Self::MovingConstraint { constraint, name } | Self::TurningConstraint { constraint, name } => {
+                *name = names.constraint(*constraint);
+            }
             Self::Unbalanced { coordinate, name, .. }
             | Self::Unresolved { coordinate, name }
             | Self::RanAway { coordinate, name } => {
@@ -129,6 +142,12 @@ impl fmt::Display for EquilibriumError {
                 out,
                 "no equilibrium: constraint {constraint} moves; use coordinates that move along, in which the state is at \
                  rest",
+                constraint = Part(*constraint, *name)
+            ),
+            Self::TurningConstraint { constraint, name } => write!(
+                out,
+                "no equilibrium can be told: constraint {constraint} turns with time and drives what it holds; use coordinates that \
+                 move along, or ask `stationary_point` for a balance of forces and `variational().monodromy` for its stability",
                 constraint = Part(*constraint, *name)
             ),
             Self::Unbalanced { coordinate, name, force } => write!(
@@ -158,6 +177,7 @@ impl core::error::Error for EquilibriumError {
         match self {
             Self::Constraints(cause) => Some(cause),
             Self::MovingConstraint { .. }
+            | Self::TurningConstraint { .. }
             | Self::Unbalanced { .. }
             | Self::Unresolved { .. }
             | Self::RanAway { .. } => None,
@@ -179,7 +199,7 @@ where
     let mut search = Search::new(&rest);
     if statics.is_stationary(&rest, &search) {
         let rest = statics.polished(rest, &mut search);
-        return statics.found(rest, &search, FoundBy::Guess);
+        return statics.settled(rest, &search, FoundBy::Guess);
     }
     if Statics::<S, N, K, C>::HOLONOMIC {
         let start = rest.q;
@@ -191,18 +211,20 @@ where
                     rest = statics.rest(start);
                     search = Search::new(&rest);
                     rest = statics.balance(rest, &mut search);
-                    return statics.found(rest, &search, FoundBy::Newton);
+                    return statics.settled(rest, &search, FoundBy::Newton);
                 }
             }
-            let signature = statics.curvature(&rest).map(|curvature| curvature.signature(rest.motions.count));
-            if signature.is_none_or(|[_, _, down]| down == 0) {
+            let Some(curvature) = statics.curvature(&rest) else { break };
+            if let Some(lower) = statics.beyond(&rest, &search, &curvature) {
+                rest = lower;
+            } else if curvature.signature(rest.motions.count)[2] == 0 {
                 break;
             }
         }
-        return statics.found(rest, &search, FoundBy::Descent);
+        return statics.settled(rest, &search, FoundBy::Descent);
     }
     rest = statics.balance(rest, &mut search);
-    statics.found(rest, &search, FoundBy::Newton)
+    statics.settled(rest, &search, FoundBy::Newton)
 }
 
 /// An equilibrium near a guess, of any stability.
@@ -253,7 +275,7 @@ where
     fn is_stationary(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> bool {
         let share = S::Scalar::from_f64(16.0 * N as f64) * S::Scalar::epsilon() * rest.stiffness.size;
         let most = rest.forces.iter().fold(S::Scalar::zero(), |most, x| larger(x.abs(), most));
-        most <= share * self.reach(rest, search).sqrt()
+        rest.length * most <= share * self.reach(rest, search)
     }
 
     /// A stationary position to its last digits, unless the further steps lead elsewhere.
@@ -264,8 +286,23 @@ where
     ) -> Rest<S::Scalar, N, C> {
         let q = rest.q;
         let better = self.balance(rest, search);
-        let way = self.size(&self.travelled(&better, search));
-        if way <= S::Scalar::epsilon() * self.reach(&better, search) { better } else { self.rest(q) }
+        let way = self.length(&self.travelled(&better, search));
+        if way <= S::Scalar::epsilon().sqrt() * self.reach(&better, search) { better } else { self.rest(q) }
+    }
+
+    /// The equilibrium where the system comes to rest.
+    fn settled(
+        &self,
+        rest: Rest<S::Scalar, N, C>,
+        search: &Search<S::Scalar, N>,
+        found_by: FoundBy,
+    ) -> Result<Equilibrium<S::Scalar, N, C>, EquilibriumError> {
+        let turning = self.turning(&rest);
+        let found = self.found(rest, search, found_by)?;
+        match turning {
+            Some(constraint) => Err(EquilibriumError::TurningConstraint { constraint, name: Name::NONE }),
+            None => Ok(found),
+        }
     }
 
     /// The equilibrium, if the search has ended at one.
@@ -287,13 +324,14 @@ where
         }
         has_gradients(&rest)?;
         self.resolved(&rest, search)?;
-        self.resting(&rest)?;
+        self.resting(&rest, search)?;
+        let stability = self.stability(&rest, search);
         Ok(Equilibrium {
             state: State::at_rest(rest.q).at_time(self.t),
             multipliers: rest.multipliers,
             are_unique: rest.rank == C,
-            is_isolated: verdict.is_isolated,
-            stability: self.stability(&rest),
+            is_isolated: verdict.is_isolated && !matches!(stability, Stability::Neutral { .. }),
+            stability,
             found_by,
         })
     }
@@ -308,7 +346,7 @@ where
         let travelled = self.travelled(rest, search);
         let mut coordinate = 0;
         for i in 1..N {
-            let far = |i: usize| self.sizes[i] * travelled[i] * travelled[i];
+            let far = |i: usize| self.sizes[i].sqrt() * travelled[i].abs();
             coordinate = if far(i) > far(coordinate) { i } else { coordinate };
         }
         EquilibriumError::RanAway { coordinate, name: Name::NONE }

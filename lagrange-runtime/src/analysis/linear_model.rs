@@ -9,7 +9,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::response::{Factored, factored};
-use super::{Tangent, Variation};
+use super::{Tangent, Variation, turning};
 use crate::linear::stored::Stored;
 use crate::linear::{Ldlt, Saddle, SaddlePoint, TangentSpace};
 use crate::number::elements::{Each, array};
@@ -300,7 +300,11 @@ where
     S::Scalar: Ordered,
 {
     let constants = system.constants();
-    let Factored { balance, variation, saddle } = factored(system, &constants, state, u)?;
+    let found = factored(system, &constants, state, u)?;
+    if S::TURNS.contains(&true) {
+        turning::refuse(system, &constants, state, u, &found)?;
+    }
+    let Factored { balance, variation, saddle } = found;
     let half = S::Scalar::from_f64(0.5);
     let zero = S::Scalar::from_f64(0.0);
     let Variation { mass, by_q, by_v, by_u, gradients, rates_by_q, conditions_by_q, conditions_by_v, .. } =

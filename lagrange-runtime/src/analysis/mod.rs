@@ -27,6 +27,7 @@ mod monodromy;
 mod reduced;
 mod response;
 mod sensitive;
+mod turning;
 mod variational;
 pub mod verify;
 
@@ -131,6 +132,10 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     /// Which constraints are holonomic.
     const HOLONOMIC: [bool; C];
 
+    /// Which constraints have a gradient that depends on time. That of f(q) − g(t) does not. Of a constraint
+    /// on velocities the terms without velocities count as well.
+    const TURNS: [bool; C];
+
     /// Accelerations and multipliers. NaN or infinite where the equations have no solution.
     fn balanced_at(
         &self,
@@ -203,8 +208,8 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     /// do no harm.
     ///
     /// # Errors
-    /// [`EquilibriumError`]: constraints that cannot be met or that move, energy that falls without end, or
-    /// no equilibrium in reach.
+    /// [`EquilibriumError`]: constraints that cannot be met or that move, a constraint whose gradient turns
+    /// with time, energy that falls without end, or no equilibrium in reach.
     #[inline]
     fn equilibrium(
         &self,
@@ -223,7 +228,9 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     ///
     /// Levenberg–Marquardt steps in the null space of A with exact derivatives. Nonholonomic constraints
     /// restrict δq by G δq = 0 but not the positions: with them equilibria come in families, and the one
-    /// found is near the guess. All else is as for [`equilibrium`](Self::equilibrium).
+    /// found is near the guess. Where the gradient of a constraint turns with time, the balance of forces is
+    /// found, and its stability is [`Stability::Undecided`]. All else is as for
+    /// [`equilibrium`](Self::equilibrium).
     ///
     /// # Errors
     /// [`EquilibriumError`]: constraints that cannot be met or that move, or no equilibrium in reach.
@@ -248,7 +255,9 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     /// moves on, both change.
     ///
     /// # Errors
-    /// A singular mass matrix or constraints without a solution, with the time; a value that is not finite.
+    /// A singular mass matrix or constraints without a solution, with the time; a value that is not finite;
+    /// [`Cause::TurningConstraint`](crate::Cause::TurningConstraint), where the gradient of a constraint
+    /// turns by itself.
     #[inline]
     fn linearize(
         &self,
@@ -277,17 +286,18 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     /// modes.
     ///
     /// About a state that moves under constraints these are the eigenvalues of the linear equations frozen at
-    /// that moment. In general they are not frequencies of a motion. For example, a bead at rest in a
-    /// whirling hoop has other eigenvalues in Cartesian coordinates than by its angle in the turning frame:
-    /// describe such a state by coordinates in which it is at rest. The same holds without constraints where
-    /// the linear equations change along the motion. Deviations of an orientation are seen in axes that turn
-    /// with the body, where a steady spin of a body about an axis of symmetry, or a free one about a
-    /// principal axis, has equations that do not change.
+    /// that moment. In general they are not frequencies of a motion: describe such a state by coordinates in
+    /// which it is at rest. The same holds without constraints where the linear equations change with time or
+    /// along the motion. A constraint whose gradient turns with time, as that of a whirling hoop in
+    /// coordinates of space, is refused. Deviations of an orientation are seen in axes that turn with the
+    /// body, where a steady spin of a body about an axis of symmetry, or a free one about a principal axis,
+    /// has equations that do not change.
     ///
     /// Golub and Van Loan, *Matrix Computations*, 4th ed., chapters 7 and 8.
     ///
     /// # Errors
     /// A singular mass matrix or constraints without a solution, with the time; a value that is not finite;
+    /// [`Cause::TurningConstraint`](crate::Cause::TurningConstraint),
     /// [`Cause::NoEigenvalues`](crate::Cause::NoEigenvalues).
     #[cfg(feature = "std")]
     #[inline]

@@ -60,11 +60,23 @@ where
 {
     let (saddle, gradients) = factors;
     let found = regular(saddle).map_err(|cause| match cause {
+        // Beside infinite masses a gradient moves nothing, though it has a value.
+        Cause::VanishingGradient { constraint, .. } if has_value(gradients, constraint) => Cause::NotFinite,
         Cause::NotFinite => without_value(system, state, gradients)
             .map_or(cause, |constraint| Cause::VanishingGradient { constraint, name: Name::NONE }),
         _ => cause,
     });
     found.map_err(|cause| cause.named(&S::NAMES))
+}
+
+/// Whether the gradient of a constraint has finite entries, of which some are not zero.
+fn has_value<R: Real, const N: usize, const C: usize>(
+    gradients: &impl Gradients<R, N, C>,
+    constraint: usize,
+) -> bool {
+    let rows = gradients.rows();
+    let row = rows.get(constraint).map_or(&[][..], |row| row);
+    row.iter().all(|x| x.is_finite()) && row.iter().any(|x| x.abs().is_positive())
 }
 
 /// The first constraint whose gradient has no value at a state, but beside it, as that of a distance has none

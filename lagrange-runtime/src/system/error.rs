@@ -66,6 +66,14 @@ pub enum Cause {
         /// Its name.
         name: Name,
     },
+    /// The gradient of a constraint turns with time, so that small deviations from a state have no linear
+    /// equations with constant coefficients.
+    TurningConstraint {
+        /// Index of the constraint.
+        constraint: usize,
+        /// Its name.
+        name: Name,
+    },
     /// A function of the description returns another value than the macro has read: a name in it has an
     /// unusual meaning. Only builds with `debug_assertions` look for this.
     Misread {
@@ -230,6 +238,7 @@ impl Cause {
             | Self::InvalidContact { constraint, name }
             | Self::NoReaction { constraint, name }
             | Self::GapJumps { constraint, name }
+            | Self::TurningConstraint { constraint, name }
             | Self::SeveralReactions { constraint, name }
             | Self::EndlessSwitching { constraint, name }
             | Self::Undetermined { constraint, name } => *name = names.constraint(*constraint),

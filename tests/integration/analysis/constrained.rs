@@ -194,7 +194,7 @@ fn s08_modes_of_a_double_pendulum_by_its_rods() {
     }
 }
 
-/// A bead on a whirling hoop in Cartesian coordinates that turn with it, or do not (S14).
+/// A bead on a whirling hoop in Cartesian coordinates that turn with it (S14).
 struct Hoop {
     rate: f64,
 }
@@ -217,33 +217,6 @@ impl Hoop {
     }
 }
 
-struct FixedHoop {
-    rate: f64,
-}
-
-#[lagrangian(coordinates = [x, y, z], jacobians)]
-impl FixedHoop {
-    #[point(mass = 1.0)]
-    fn bead(&self, q: &Coordinates) -> Vector3<f64> {
-        Vector3::new(q.x, q.y, q.z)
-    }
-
-    #[potential]
-    fn gravity(&self, q: &Coordinates) -> f64 {
-        G * q.z
-    }
-
-    #[holonomic]
-    fn sphere(&self, q: &Coordinates) -> f64 {
-        self.bead(q).norm() - 0.5
-    }
-
-    #[holonomic]
-    fn plane(&self, q: &Coordinates, t: f64) -> f64 {
-        q.y * (self.rate * t).cos() - q.x * (self.rate * t).sin()
-    }
-}
-
 #[test]
 fn s14_the_whirling_hoop_with_a_multiplier() {
     let reference = seed("S14");
@@ -261,17 +234,6 @@ fn s14_the_whirling_hoop_with_a_multiplier() {
     all_close(bottom.state.q, [0.0, -0.5], 1e-12);
     let frequency = slow.modes(&bottom.state, &[]).unwrap()[0].frequency();
     close(frequency, reference.number("omega_bottom_at_Omega_3"), 1e-14);
-}
-
-#[test]
-fn s14_in_space_the_turning_plane_lets_the_bead_rest_on_its_axis_only() {
-    let hoop = FixedHoop { rate: 6.0 };
-    let rest = hoop.equilibrium([0.3, 0.0, -0.2], &[]).unwrap();
-    all_close(rest.state.q, [0.0, 0.0, -0.5], 1e-12);
-    all_close(rest.multipliers, [-G, 0.0], 1e-12);
-    // A motion has a linearisation as well.
-    let state = hoop.consistent(State::new([0.4, 0.0, -0.3], [0.1, 2.4, 0.0])).unwrap();
-    assert_eq!(hoop.linearize(&state, &[]).unwrap().order(), 2);
 }
 
 /// A ball on a table that shakes.

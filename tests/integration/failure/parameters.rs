@@ -252,3 +252,76 @@ fn a_tolerance_of_zero_means_rounding_in_any_precision() {
     let mut motion = single.simulate(State::at_rest([1.0_f32])).with_tolerance(0.0);
     close(f64::from(motion.advance_to(10.0).unwrap().q[0]), exact.q[0], 1e-3);
 }
+
+/// Two masses on a rod and a thread.
+struct Linkage {
+    masses: [f64; 2],
+}
+
+#[lagrangian(coordinates = [x, y, z, w], jacobians)]
+impl Linkage {
+    #[point(mass = self.masses[0])]
+    fn first(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[point(mass = self.masses[1])]
+    fn second(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.z, q.w)
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        9.81 * (q.y + q.w)
+    }
+
+    #[holonomic]
+    fn rod(&self, q: &Coordinates) -> f64 {
+        self.first(q).norm() - 1.0
+    }
+
+    #[holonomic]
+    fn thread(&self, q: &Coordinates) -> f64 {
+        (self.second(q) - self.first(q)).norm() - 1.0
+    }
+}
+
+#[test]
+fn masses_beside_constraints_are_named_or_no_numbers() {
+    let start = State::at_rest([0.6, 0.8, 1.6, 0.8]);
+    for (masses, expected) in [
+        ([0.0, 1.0], Cause::SingularMassMatrix { pivot: 0, name: Name::new(&"x") }),
+        ([1.0, 0.0], Cause::SingularMassMatrix { pivot: 2, name: Name::new(&"z") }),
+        ([f64::INFINITY, 1.0], Cause::NotFinite),
+        ([f64::NAN, 1.0], Cause::NotFinite),
+    ] {
+        let linkage = Linkage { masses };
+        assert_eq!(linkage.accelerations(&start).unwrap_err().cause, expected, "{masses:?}");
+        assert_eq!(linkage.consistent(start).unwrap_err().cause, expected, "{masses:?}");
+        assert_eq!(linkage.simulate(start).advance_to(1.0).unwrap_err().cause, expected, "{masses:?}");
+        assert_eq!(linkage.linearize(&start, &[]).unwrap_err().cause, expected, "{masses:?}");
+    }
+}
+
+struct Pushed;
+
+#[lagrangian(coordinates = [x], inputs = [push, rise])]
+impl Pushed {
+    #[point(mass = 2.0)]
+    fn block(&self, q: &Coordinates) -> Vector1<f64> {
+        Vector1::new(q.x)
+    }
+
+    #[force(at = block)]
+    fn push(&self, u: &Inputs, t: f64) -> Vector1<f64> {
+        Vector1::new(u.push + u.rise * t)
+    }
+}
+
+#[test]
+fn an_infinite_force_that_does_not_change_is_not_finite() {
+    for inputs in [[f64::INFINITY, 0.0], [0.0, f64::NEG_INFINITY], [f64::NAN, 0.0]] {
+        let error = Pushed.simulate(State::at_rest([1.0])).with_inputs(inputs).advance_to(1.0).unwrap_err();
+        assert_eq!(error, MotionError { cause: Cause::NotFinite, t: 0.0 }, "{inputs:?}");
+    }
+}

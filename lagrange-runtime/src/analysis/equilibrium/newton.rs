@@ -5,10 +5,10 @@
 //! (∂r/∂q) Z. So the steps converge quadratically, also to equilibria that are not isolated (N. Yamashita, M.
 //! Fukushima, Computing Suppl. 15 (2001) 239).
 
-use super::statics::{Rest, Statics};
+use super::statics::{Rest, Statics, length};
 use crate::analysis::Tangent;
 use crate::linear::SingularValues;
-use crate::number::elements::array;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger, smaller};
 
 /// The most steps of a search.
@@ -93,7 +93,7 @@ where
                 let next = self.feasible(moved).ok().map(|q| self.rest(q));
                 if let Some(next) = next.filter(|next| next.norm < rest.norm) {
                     let way: [S::Scalar; N] = array(|i| next.q[i] - rest.q[i]);
-                    search.stepped(self.size(&way).sqrt(), &next);
+                    search.stepped(self.length(&way), &next);
                     // Quadratic convergence needs a damping that vanishes with the forces.
                     let share = next.norm / search.met;
                     damping = smaller(damping * number(0.1), share * share);
@@ -117,7 +117,8 @@ where
         values: &SingularValues<S::Scalar, N>,
         damping: S::Scalar,
     ) -> [S::Scalar; N] {
-        self.allowed(rest).combined(&values.solve(&rest.forces, damping))
+        let change = self.allowed(rest).combined(&values.solve(&rest.forces, damping));
+        change.each(|x| rest.length * x)
     }
 
     /// Judges the position where a search has ended.
@@ -125,15 +126,15 @@ where
         let number = S::Scalar::from_f64;
         let values = SingularValues::new(&rest.stiffness.rows);
         let largest = values.largest_square();
-        let (step, remainder) =
-            (self.size(&self.displacement(rest, &values, number(0.0))), values.remainder(&rest.forces));
+        let step = self.length(&self.displacement(rest, &values, number(0.0)));
+        let remainder = rest.length * values.remainder(&rest.forces).sqrt();
         let (epsilon, reach) = (S::Scalar::epsilon(), self.reach(rest, search));
         // Forces that a step does not remove, because no stiffness acts against them, must be rounding errors
         // of the balanced forces.
-        let is_rounding = remainder <= epsilon * epsilon.sqrt() * largest * reach;
+        let is_rounding = remainder <= (epsilon * epsilon.sqrt()).sqrt() * largest.sqrt() * reach;
         // Forces that fade towards infinity become small, too, but the steps do not end there.
-        let ends = step <= number(1e-6) * reach;
-        let is_small = rest.norm <= epsilon.sqrt() * search.met || step <= epsilon * reach;
+        let ends = step <= number(1e-3) * reach;
+        let is_small = rest.norm <= epsilon.sqrt() * search.met || step <= epsilon.sqrt() * reach;
         // Where the stiffness vanishes, Newton's step does not.
         let here = rest.unit * largest.sqrt();
         let stiffest = larger(search.stiffest, here);
@@ -142,13 +143,13 @@ where
         // The least stiffness, in units of the position, that exceeds the rounding errors of the stiffest
         // direction.
         let least = epsilon * (largest / (stiffness * stiffness));
-        let is_isolated = values.rank(least) == free && step <= epsilon * reach;
+        let is_isolated = values.rank(least) == free && step <= epsilon.sqrt() * reach;
         Verdict { is_balanced: is_rounding && ends && is_small, ends, is_isolated, stiffness }
     }
 
-    /// The squared size of the coordinates and of the distance so far.
+    /// The size of the coordinates and of the distance so far.
     pub fn reach(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> S::Scalar {
-        self.size(&rest.q) + self.size(&self.travelled(rest, search))
+        length(&[self.length(&rest.q), self.length(&self.travelled(rest, search))])
     }
 
     /// The distance from the start, as a vector.

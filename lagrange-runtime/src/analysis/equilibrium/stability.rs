@@ -9,6 +9,7 @@
 
 use core::fmt;
 
+use super::newton::Search;
 use super::statics::{Rest, Statics};
 use crate::analysis::Tangent;
 use crate::linear::diagonalise;
@@ -23,7 +24,7 @@ pub enum Stability {
     /// constraints, or all deviations decay.
     Stable,
     /// To first order nothing drives the system away, and along some directions nothing drives it back: it
-    /// has a symmetry, or a minimum flatter than a parabola.
+    /// has a symmetry, or the potential is flatter than a parabola there, as x³ and x⁴ are.
     Neutral {
         /// The number of independent directions.
         directions: usize,
@@ -40,8 +41,9 @@ pub enum Stability {
         /// The number of independent directions.
         directions: usize,
     },
-    /// The linear equations do not decide. Without feature `std`, also wherever their eigenvalues would be
-    /// needed.
+    /// The linear equations do not decide, or a constraint turns with time, so that their coefficients
+    /// change: `variational().monodromy` decides then. Without feature `std`, also wherever their eigenvalues
+    /// would be needed.
     Undecided,
 }
 
@@ -75,14 +77,17 @@ where
     S::Scalar: Ordered,
 {
     /// The fate of small deviations from an equilibrium.
-    pub fn stability(&self, rest: &Rest<S::Scalar, N, C>) -> Stability {
+    pub fn stability(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> Stability {
         let count = rest.motions.count;
         if count == 0 && Self::HOLONOMIC {
             return Stability::Stable;
         }
+        if self.turning(rest).is_some() {
+            return Stability::Undecided;
+        }
         let curvature = if Self::HOLONOMIC { self.curvature(rest) } else { None };
         let Some(curvature) = curvature else { return self.by_eigenvalues(rest, None) };
-        let [_, flat, down] = curvature.signature(count);
+        let [_, flat, down] = self.confirmed(rest, search, &curvature);
         let moving = self.moving(rest);
         if !(moving.is_positive && moving.is_damped) {
             return self.by_eigenvalues(rest, None);

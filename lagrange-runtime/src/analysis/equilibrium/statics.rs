@@ -23,13 +23,17 @@ const CORRECTIONS: usize = 30;
 /// The problem at the time of the guess.
 pub(super) struct Statics<'a, S: Tangent<N, K, C>, const N: usize, const K: usize, const C: usize> {
     pub system: &'a S,
-    constants: S::Constants,
+    pub constants: S::Constants,
     pub t: S::Scalar,
     pub u: &'a [S::Scalar; K],
-    /// Squares of the sizes of the coordinates: their inertia at the guess, constant through a search.
+    /// The unit of inertia: the largest one of a coordinate at the guess. Masses of atoms have no squares in
+    /// single precision.
+    pub heaviest: S::Scalar,
+    /// Squares of the sizes of the coordinates: their inertia at the guess in this unit, constant through a
+    /// search.
     pub sizes: [S::Scalar; N],
     /// The same as a matrix.
-    metric: Stored<[[S::Scalar; N]; N]>,
+    pub metric: Stored<[[S::Scalar; N]; N]>,
 }
 
 /// A position on the constraints.
@@ -46,9 +50,13 @@ pub(super) struct Rest<R, const N: usize, const C: usize> {
     /// Motions that the holonomic constraints allow, if these are not the same.
     places: Option<Directions<R, N>>,
     pub gradients: Stored<[[R; N]; C]>,
-    /// The unit of `forces` and `stiffness`: the largest of their entries. In this unit squares neither
-    /// overflow nor underflow where forces fade, or grow, by more than the exponents of the scalar.
+    /// The units of `forces` and of `stiffness`: the largest of their entries. In these units squares neither
+    /// overflow nor underflow, whatever the size of the system and however forces fade or grow.
+    pub push: R,
+    /// The unit of `stiffness`.
     pub unit: R,
+    /// Their ratio: the unit of a displacement, which is forces by stiffness.
+    pub length: R,
     /// f + Aᵀλ along `motions`; zero from their number on.
     pub forces: [R; N],
     /// The size of the forces.
@@ -128,11 +136,16 @@ where
 
     /// The problem with the inertia at a guess as the metric.
     pub fn new(system: &'a S, guess: &State<S::Scalar, N>, u: &'a [S::Scalar; K]) -> Self {
-        let metric = Stored::zeros();
+        let (metric, zero, one) = (Stored::zeros(), S::Scalar::zero(), S::Scalar::one());
         let constants = system.constants();
-        let mut this = Self { system, constants, t: guess.t, u, sizes: [S::Scalar::zero(); N], metric };
-        let first = this.variation(&guess.q, &[S::Scalar::zero(); C]);
-        this.put(&array(|i| first.mass[i][i].abs()));
+        let mut this = Self { system, constants, t: guess.t, u, heaviest: one, sizes: [zero; N], metric };
+        let first = this.variation(&guess.q, &[zero; C]);
+        let masses: [S::Scalar; N] = array(|i| first.mass[i][i].abs());
+        let most = masses.into_iter().fold(zero, larger);
+        if most.is_positive() && most.recip().is_positive() && most.recip().is_finite() {
+            this.heaviest = most;
+        }
+        this.put(&masses.each(|mass| mass / this.heaviest));
         // A coordinate without inertia gets the size that the constraints suggest.
         this.sizes = TangentSpace::new(&this.metric, &first.gradients).metric;
         let sizes = this.sizes;
@@ -152,12 +165,19 @@ where
         }
     }
 
-    /// xᵀ x in the metric.
-    pub fn size(&self, x: &[S::Scalar; N]) -> S::Scalar {
-        self.sizes.iter().zip(x).fold(S::Scalar::zero(), |sum, (&m, &x)| sum + m * x * x)
+    /// The length of a displacement in the metric.
+    pub fn length(&self, x: &[S::Scalar; N]) -> S::Scalar {
+        length::<_, N>(&array(|i| self.sizes[i].sqrt() * x[i]))
     }
 
-    fn place<'b>(
+    /// The size of forces in the metric.
+    pub fn force(&self, forces: &[S::Scalar; N]) -> S::Scalar {
+        length::<_, N>(&array(|i| {
+            if self.sizes[i].is_positive() { forces[i] / self.sizes[i].sqrt() } else { S::Scalar::zero() }
+        }))
+    }
+
+    pub fn place<'b>(
         &'b self,
         q: &'b [S::Scalar; N],
         zeros: &'b [S::Scalar; N],
@@ -175,11 +195,6 @@ where
     ) -> Variation<S::Scalar, N, K, C> {
         let zeros = [S::Scalar::zero(); N];
         self.system.variation_at(&self.constants, &self.place(q, &zeros, multipliers))
-    }
-
-    /// The power of forces along a displacement.
-    pub fn power(&self, q: &[S::Scalar; N], multipliers: &[S::Scalar; C], way: &[S::Scalar; N]) -> S::Scalar {
-        dot(&self.imbalance(q, multipliers), way)
     }
 
     /// f + Aᵀλ.
@@ -274,13 +289,15 @@ where
             *force = dot(vector, &left);
         }
         let mut stiffness = stiffness(&by_q, &motions, places.as_ref().unwrap_or(&motions));
-        let most = forces.iter().fold(stiffness.size, |most, x| larger(x.abs(), most));
-        let scale = most.recip();
-        let is_unit = scale.is_finite() && scale.is_positive();
-        let (unit, scale) = if is_unit { (most, scale) } else { (S::Scalar::one(), S::Scalar::one()) };
-        stiffness.size *= scale;
-        stiffness.rows.iter_mut().flatten().chain(&mut forces).for_each(|x| *x *= scale);
-        let norm = unit * dot(&forces, &forces).sqrt();
+        let one = S::Scalar::one();
+        let is_unit = |x: &S::Scalar| x.is_positive() && x.recip().is_finite() && x.recip().is_positive();
+        let most = forces.iter().fold(S::Scalar::zero(), |most, x| larger(x.abs(), most));
+        let [push, unit] = [[most, stiffness.size], [stiffness.size, most]]
+            .each(|[own, other]| [own, other].into_iter().find(is_unit).unwrap_or(one));
+        stiffness.size /= unit;
+        stiffness.rows.iter_mut().flatten().for_each(|x| *x /= unit);
+        forces.iter_mut().for_each(|x| *x /= push);
+        let norm = push * dot(&forces, &forces).sqrt();
         Rest {
             q,
             multipliers,
@@ -289,7 +306,9 @@ where
             motions,
             places,
             gradients,
+            push,
             unit,
+            length: push / unit,
             forces,
             norm,
             stiffness,
@@ -317,30 +336,20 @@ where
     pub fn allowed<'b>(&self, rest: &'b Rest<S::Scalar, N, C>) -> &'b Directions<S::Scalar, N> {
         rest.places.as_ref().unwrap_or(&rest.motions)
     }
-
-    /// Refuses constraints that do not let the system rest.
-    #[inline(never)]
-    pub fn resting(&self, rest: &Rest<S::Scalar, N, C>) -> Result<(), EquilibriumError> {
-        if C == 0 {
-            return Ok(());
-        }
-        let none = [S::Scalar::zero(); N];
-        let residuals = self.system.deviations_at(self.t, &rest.q, &none);
-        let saddle = Stored::new(Saddle::factor(&self.metric, &rest.gradients));
-        if residuals.is_within(Level::Velocities, S::Scalar::epsilon().sqrt(), &[S::Scalar::zero(); C]) {
-            return Ok(());
-        }
-        match residuals.cause(Level::Velocities, &Metric::of(&*saddle).slopes(&*rest.gradients)) {
-            Cause::VelocityViolated { constraint, name, .. } => {
-                Err(EquilibriumError::MovingConstraint { constraint, name })
-            }
-            cause => Err(EquilibriumError::Constraints(cause)),
-        }
-    }
 }
 
 pub(super) fn dot<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> R {
     a.iter().zip(b).fold(R::zero(), |sum, (&a, &b)| R::mul_add(a, b, sum))
+}
+
+/// The root of the sum of squares. The squares are those of shares of the largest number, which neither
+/// overflow nor underflow.
+pub(super) fn length<R: Ordered, const N: usize>(x: &[R; N]) -> R {
+    let most = x.iter().fold(R::zero(), |most, x| larger(x.abs(), most));
+    if !(most.is_positive() && most.is_finite()) {
+        return x.iter().fold(R::zero(), |sum, x| sum + x.abs());
+    }
+    most * x.iter().fold(R::zero(), |sum, &x| sum + (x / most) * (x / most)).sqrt()
 }
 
 /// Σ |a b|.

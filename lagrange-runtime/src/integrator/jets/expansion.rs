@@ -43,6 +43,20 @@ where
     at(memory, system, control, from)
 }
 
+/// Why a step falls below the resolution of time. An infinite force that does not change leaves the highest
+/// coefficients finite.
+#[cold]
+pub(super) fn too_small<T: Copy, M: Copy + Default, R: Ordered, const N: usize>(
+    memory: &JetsMemory<T, M, R, N>,
+) -> Cause {
+    let [q, v] = [&memory.series.q, &memory.series.v].map(|rows| rows.iter().take(memory.orders));
+    if q.chain(v).all(|row| row.iter().all(|x| x.is_finite())) {
+        Cause::StepTooSmall
+    } else {
+        Cause::NotFinite
+    }
+}
+
 /// Expands the motion about the start of the memory, for a step of at most `left` \[s]. Returns the length
 /// \[s] that the tolerance allows, without direction; `None` for a polynomial in time, or if coefficients
 /// underflow.
@@ -118,7 +132,7 @@ where
         rescaled = true;
         memory.counts.rejected += 1;
         if step_size::is_below(unit, resolution) {
-            return Err(if is_finite { Cause::StepTooSmall } else { Cause::NotFinite });
+            return Err(too_small(memory));
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::super::landing::{Check, Determined, Landing};
 use super::super::lengths::{Lengths, Verdict};
 use super::super::step_size;
-use super::expansion::expand;
+use super::expansion::{expand, too_small};
 use super::probe::{self, PLACES, Probe};
 use super::{Jets, JetsMemory, singular};
 use crate::number::elements::Each;
@@ -71,7 +71,7 @@ where
     }
     let length = limits.clip(natural);
     if !is_free && step_size::is_below(length, resolution) {
-        return Err(Cause::StepTooSmall);
+        return Err(too_small(memory));
     }
     // The difference of the times would not do, since rounding errors grow with time.
     let theta = length / memory.unit.abs();
@@ -230,7 +230,8 @@ where
     while !probe.agrees(length / memory.unit, &mut strongest) {
         length *= S::Scalar::from_f64(0.5);
         if step_size::is_below(length.abs(), resolution) {
-            return Err(memory.stay(Cause::StepTooSmall));
+            let cause = too_small(memory);
+            return Err(memory.stay(cause));
         }
         memory.counts.rejected += 1;
         is_shorter = true;

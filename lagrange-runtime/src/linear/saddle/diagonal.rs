@@ -43,6 +43,11 @@ impl<R: Real, const N: usize, const C: usize> Diagonal<R, N, C> {
     }
 }
 
+/// The first coordinate whose mass is zero, so that its inverse is infinite.
+pub(super) fn without_inertia<R: Real>(inverse_masses: &[R]) -> Option<usize> {
+    inverse_masses.iter().position(|x| x.is_positive() && !x.is_finite())
+}
+
 impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<R, N, C> {
     type Gradients = [[R; N]; C];
 
@@ -67,7 +72,7 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<
 
     fn defect(&self) -> Option<Defect> {
         let finite = self.inverse_masses.iter().all(|x| x.is_finite()) && self.schur.is_finite();
-        match self.negative() {
+        match self.negative().or_else(|| without_inertia(&self.inverse_masses)) {
             Some(coordinate) => Some(Defect::Singular { coordinate }),
             None if finite => None,
             None => Some(Defect::NotFinite),

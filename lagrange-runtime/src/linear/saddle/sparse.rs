@@ -18,6 +18,7 @@ use crate::linear::stored::Stored;
 use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 
+use super::diagonal::without_inertia;
 use super::{Defect, SaddlePoint};
 
 /// A saddle-point system with a diagonal M and a sparse A. `A` entries of A can differ from zero, and `L` of
@@ -232,7 +233,7 @@ impl<R: Real, const N: usize, const C: usize, const A: usize, const L: usize> Sa
         let factors = || self.factor.iter().chain(&self.inverse).all(|x| x.is_finite());
         let finite = self.inverse_masses.iter().all(|x| x.is_finite())
             && self.careful.as_ref().map_or_else(factors, |schur| schur.is_finite());
-        match self.negative() {
+        match self.negative().or_else(|| without_inertia(&self.inverse_masses)) {
             Some(coordinate) => Some(Defect::Singular { coordinate }),
             None if finite => None,
             None => Some(Defect::NotFinite),

@@ -280,7 +280,10 @@ fn what_is_not_a_number_is_said_to_be_so() {
             assert!(saddle.solve(&[1.0, 1.0], &[1.0]).0.iter().any(|x| !x.is_finite()));
             assert_eq!(Saddle::factor_indefinite(&mass, &a).defect(), Some(Defect::NotFinite));
         }
-        assert_eq!(Diagonal::factor([1.0, bad], &[[1.0, 2.0]]).defect(), Some(Defect::NotFinite));
         assert_eq!(Diagonal::factor([1.0, 1.0], &[[1.0, bad]]).defect(), Some(Defect::NotFinite));
     }
+    // The inverse of a mass of zero is infinite.
+    let inverse = |x| Diagonal::factor([1.0, x], &[[1.0, 2.0]]).defect();
+    assert_eq!(inverse(f64::NAN), Some(Defect::NotFinite));
+    assert_eq!(inverse(f64::INFINITY), Some(Defect::Singular { coordinate: 1 }));
 }

@@ -43,6 +43,12 @@ impl fmt::Display for Cause {
                  stay away from this configuration",
                 constraint = Part(*constraint, *name)
             ),
+            Self::TurningConstraint { constraint, name } => write!(
+                out,
+                "constraint {constraint} turns with time, so small deviations have no linear equations with constant coefficients: \
+                 use coordinates that move along, or ask `variational().monodromy` over a period",
+                constraint = Part(*constraint, *name)
+            ),
             // The message comes with the name, so that a program that cannot need it does not contain it.
             Self::Misread { function, .. } => {
                 ["`", function.name(), "` ", function.0[1]].iter().try_for_each(|part| out.write_str(part))
