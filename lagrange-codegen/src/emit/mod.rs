@@ -206,10 +206,10 @@ pub(crate) fn emit(
     let reactions = (!rows.is_empty()).then(|| constraints::record(emission.item, &constraints::held(rows)));
     let regimes = regimes.map(|regimes::Items { companion, switching, constrained, rows, kinks }| {
         let record = constraints::record_ident(emission.item);
-        let type_of_rows = if rows > 0 { quote!(#record<T>) } else { quote!([T; 0]) };
+        let type_of_rows = if rows > 0 { quote!(#record<__Row>) } else { quote!([__Row; 0]) };
         let named = quote! {
             impl #impl_generics lagrange::NamedRows<#rows> for #self_ty #where_clause {
-                type Rows<T> = #type_of_rows;
+                type Rows<__Row> = #type_of_rows;
             }
         };
         let switching = parameters.parse(&switching);

@@ -59,6 +59,61 @@ impl Belt {
     }
 }
 
+/// A curling stone on ice: friction in the two directions of a plane, from its weight.
+#[derive(Clone, Copy, Debug)]
+pub struct Stone;
+
+#[lagrangian(coordinates = [x, y])]
+impl Stone {
+    #[point(mass = 20.0)]
+    fn stone(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    /// A slope along y.
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        20.0 * G * 0.01 * q.y
+    }
+
+    #[friction(limit = 4.0, static_limit = 6.0)]
+    fn slip(&self, v: &Velocities) -> Vector2<f64> {
+        Vector2::new(v.x, v.y)
+    }
+}
+
+/// A pendulum on a bearing with dry friction.
+#[derive(Clone, Copy, Debug)]
+pub struct Bearing;
+
+#[lagrangian(coordinates = [x, y, phi])]
+impl Bearing {
+    #[point(mass = 1.0)]
+    fn centre(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[kinetic]
+    fn turning(&self, v: &Velocities) -> f64 {
+        0.05 * v.phi.powi(2)
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        G * q.y
+    }
+
+    #[holonomic]
+    fn pin(&self, q: &Coordinates) -> [f64; 2] {
+        [q.x - 0.5 * q.phi.sin(), q.y + 0.5 * q.phi.cos()]
+    }
+
+    #[friction(coefficient = 0.3, normal = [pin])]
+    fn slip(&self, v: &Velocities) -> f64 {
+        0.05 * v.phi
+    }
+}
+
 /// The puck of an index, and its start above the floor.
 fn a_puck(index: u64) -> State<f64, 2> {
     let [height, speed] = spread(index);
@@ -96,4 +151,19 @@ pub fn puck_steps(index: u64, &(end, _): &Until) -> End<2> {
     Ok(*motion.state())
 }
 
-lagrange_gpu::kernels!(puck, puck_apex, puck_steps, belt);
+/// A stone that is pushed over the ice and stops.
+pub fn stone(index: u64, &(end, tolerance): &Until) -> End<2> {
+    let [across, along] = spread(index);
+    let mut motion = Stone.simulate(State::new([0.0; 2], [across, along])).with_tolerance(tolerance);
+    motion.advance_to(end).copied()
+}
+
+/// A pendulum that is let go and comes to rest.
+pub fn bearing(index: u64, &(end, tolerance): &Until) -> End<3> {
+    let phi = 1.0 + 0.5 * spread(index)[0];
+    let start = State::new([0.5 * phi.sin(), -0.5 * phi.cos(), phi], [0.0; 3]);
+    let mut motion = Bearing.simulate(start).with_tolerance(tolerance);
+    motion.advance_to(end).copied()
+}
+
+lagrange_gpu::kernels!(puck, puck_apex, puck_steps, belt, stone, bearing);

@@ -10,8 +10,7 @@
 
 use super::choice::Choice;
 use super::memory::shift;
-use super::scene::{Known, Scales, Scene, Status, above, entry, extent, most, rounding};
-use super::turning::pairs;
+use super::scene::{Known, Scales, Scene, Status, above, entry, most, put, rounding};
 use super::{Regime, Switching};
 use crate::linear::SaddlePoint;
 use crate::number::elements::{Each, array};
@@ -62,7 +61,7 @@ where
     ) -> Option<Grown<S::Scalar, N, C, W>> {
         let begins = self.beginning(&choice.regime);
         let is_driven = |rows: [usize; 2]| above(self.driven_part(rows, choice), rounding::<S::Scalar>());
-        if pairs(&S::ROWS).filter(|rows| begins.has(rows[0])).all(is_driven) {
+        if begins.slips(&S::ROWS).all(is_driven) {
             return None;
         }
         let a = &choice.accelerations;
@@ -138,10 +137,7 @@ where
     /// The acceleration of a slip, as a part of what the forces could give it.
     fn driven_part(&self, rows: [usize; 2], choice: &Choice<S::Scalar, N, C, W>) -> S::Scalar {
         let [x, y] = rows.each(|row| self.rate(row, &choice.accelerations));
-        let [a, b] = rows.each(|row| {
-            let gradient = self.gradients.get(row);
-            gradient.map_or(num_traits::Zero::zero(), |own| extent(own, &choice.sizes.accelerations))
-        });
+        let [a, b] = rows.each(|row| self.extent_of(row, &choice.sizes.accelerations));
         let size = most(a, b);
         if size.is_positive() { x.hypot(y) / size } else { num_traits::Zero::zero() }
     }
@@ -157,13 +153,7 @@ where
         let number = S::Scalar::from_f64;
         let zero: S::Scalar = num_traits::Zero::zero();
         let begins = self.beginning(&regime);
-        let begun = || pairs(&S::ROWS).filter(|rows| begins.has(rows[0]));
-        let mut held = regime;
-        for [row, other] in begun() {
-            held.slip[row] = zero;
-            (held.active[row], held.active[other]) = (true, true);
-        }
-        let in_regime = self.system.in_regime(&held);
+        let in_regime = self.system.in_regime(&begins.held(&regime));
         let mut state = self.state;
         shift(&mut state, a, later);
         state.t += later;
@@ -173,17 +163,20 @@ where
         let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
         let there = scene.choose(&regime, None).map_err(|_| Not::Grown)?;
         let slips = |row: usize| entry(&there.regime.slip, row) != zero;
-        if !begun().all(|rows| scene.status.get(rows[0]) == Some(&Status::Rests) && slips(rows[0])) {
+        if !begins
+            .slips(&S::ROWS)
+            .all(|rows| scene.status.get(rows[0]) == Some(&Status::Rests) && slips(rows[0]))
+        {
             return Err(Not::Grown);
         }
         if there.regime != regime {
             return Err(Not::Alone(there.regime));
         }
         let (mut parts, mut slips) = ([zero; C], [zero; C]);
-        for rows in begun() {
-            parts[rows[0]] = scene.driven_part(rows, &there);
+        for rows in begins.slips(&S::ROWS) {
+            put(&mut parts, rows[0], scene.driven_part(rows, &there));
             for row in rows {
-                slips[row] = number(0.5) * later * scene.rate(row, &there.accelerations);
+                put(&mut slips, row, number(0.5) * later * scene.rate(row, &there.accelerations));
             }
         }
         // The integrals of accelerations that grow linearly.

@@ -3,7 +3,7 @@
 mod values;
 mod watch;
 
-use super::scene::{Scales, most, rounding};
+use super::scene::{Scales, entry, most, rounding};
 use super::{Functions, Regime, Row, Switching};
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved};
 use crate::number::elements::{Each, array};
@@ -158,8 +158,8 @@ where
                 Row::Friction { normal, pair } if self.regime.active[row] => {
                     let limit = |coefficient: T| match normal {
                         Some(normal) => {
-                            let mut load = reactions[normal];
-                            turn(self.regime.side[normal], &mut load);
+                            let mut load = entry(reactions, normal);
+                            turn(entry(&self.regime.side, normal), &mut load);
                             coefficient * load
                         }
                         None => coefficient,
@@ -167,7 +167,7 @@ where
                     let force = reactions[row];
                     rows[row] = match pair {
                         Some(other) => {
-                            let (limit, other) = (limit(fixed[row]), reactions[other]);
+                            let (limit, other) = (limit(fixed[row]), entry(reactions, other));
                             limit * limit - (force * force + other * other)
                         }
                         None => {
@@ -248,8 +248,8 @@ where
             let &Rounded { value, error } = guarded.get(guard);
             let known = (value.part(0), error.part(0) / S::Scalar::epsilon());
             match guard {
-                Guard::Row(row) => (values.rows[row], values.row_sizes[row]) = known,
-                Guard::Kink(kink) => (values.kinks[kink], values.kink_sizes[kink]) = known,
+                Guard::Row(row) => values.set_row(row, known),
+                Guard::Kink(kink) => values.set_kink(kink, known),
             }
         }
         values
@@ -337,16 +337,17 @@ where
 
     /// The size of the guard of a row in the course of the motion.
     fn scale(&self, row: usize, scales: &Scales<S::Scalar, C>) -> S::Scalar {
+        let Some(&kind) = S::ROWS.get(row) else { return num_traits::Zero::zero() };
         let is_active = self.regime.active[row];
-        match S::ROWS[row] {
+        match kind {
             Row::Unilateral if !is_active => scales.gaps[row],
             Row::Bilateral | Row::Unilateral | Row::Load => scales.reactions[row],
             Row::Friction { pair: None, .. } if is_active => scales.reactions[row],
             Row::Friction { .. } if is_active => scales.reactions[row] * scales.reactions[row],
             Row::Friction { pair: None, .. } => scales.speeds[row],
             Row::Friction { pair: Some(other), .. } => {
-                let direction = self.watch.directions[row].hypot(self.watch.directions[other]);
-                direction * most(scales.speeds[row], scales.speeds[other])
+                let direction = self.watch.directions[row].hypot(entry(&self.watch.directions, other));
+                direction * most(scales.speeds[row], entry(&scales.speeds, other))
             }
         }
     }
@@ -374,7 +375,7 @@ where
         let polynomial = Polynomial::interpolate(size, |place| value(place).0)?;
         let noise = most(polynomial.noise(), rounding::<S::Scalar>() * most(start.1, scale));
         let is_gap = matches!(guard, Guard::Row(row)
-            if S::ROWS[row] == Row::Unilateral && !self.regime.active[row]);
+            if S::ROWS.get(row) == Some(&Row::Unilateral) && self.regime.active.get(row) == Some(&false));
         let memory = if start.0 > noise {
             Memory::Side(Side::Above)
         } else if start.0 >= -noise || is_gap {

@@ -163,7 +163,8 @@ where
             (Row::Unilateral, Status::Meets | Status::Touches) => Options::new(&[Part::On, Part::Off]),
             (Row::Friction { normal: None, .. }, _) => Options::new(&[Part::Off]),
             (Row::Friction { normal: Some(normal), .. }, _)
-                if S::ROWS[normal] == Row::Unilateral && !self.is_closed[normal] =>
+                if S::ROWS.get(normal) == Some(&Row::Unilateral)
+                    && self.is_closed.get(normal) == Some(&false) =>
             {
                 Options::new(&[Part::Off])
             }

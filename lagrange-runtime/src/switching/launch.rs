@@ -1,9 +1,9 @@
 //! Slips in two directions that begin: their directions, and how they begin.
 
 use super::choice::Sizes;
-use super::scene::{Scene, Status, above, entry, extent, most, product, rounding};
+use super::scene::{Scene, Status, above, entry, extent, most, product, put, rounding};
 use super::turning::{TURNS, Turning, pairs};
-use super::{Regime, Switching};
+use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::linear::SaddlePoint;
 use crate::number::elements::{Each, array};
@@ -23,6 +23,21 @@ impl<const C: usize> Begins<C> {
         self.0.get(row) == Some(&true)
     }
 
+    /// The slips: the rows of their two directions.
+    pub(super) fn slips<'a>(&'a self, rows: &'a [Row; C]) -> impl Iterator<Item = [usize; 2]> + 'a {
+        pairs(rows).filter(|rows| self.has(rows[0]))
+    }
+
+    /// A regime with these slips held.
+    pub(super) fn held<R: Real, const W: usize>(&self, regime: &Regime<R, C, W>) -> Regime<R, C, W> {
+        let mut held = *regime;
+        let rows = self.0.iter().zip(held.slip.iter_mut().zip(&mut held.active));
+        for (_, (slip, active)) in rows.filter(|(begins, _)| **begins) {
+            (*slip, *active) = (R::zero(), true);
+        }
+        held
+    }
+
     /// Whether any slip begins.
     pub(super) fn any(&self) -> bool {
         self.0.contains(&true)
@@ -39,11 +54,7 @@ where
         for rows in pairs(&S::ROWS) {
             let slips = |row: usize| entry(&regime.slip, row) != num_traits::Zero::zero();
             if self.status.get(rows[0]) == Some(&Status::Rests) && slips(rows[0]) {
-                for row in rows {
-                    if let Some(begins) = begins.get_mut(row) {
-                        *begins = true;
-                    }
-                }
+                rows.into_iter().for_each(|row| put(&mut begins, row, true));
             }
         }
         Begins(begins)
@@ -59,11 +70,7 @@ where
     ) -> Option<[S::Scalar; N]> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let State { t, q, v } = &self.state;
-        let mut stuck = *regime;
-        for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins.has(*row)) {
-            stuck.slip[row] = zero;
-            (stuck.active[row], stuck.active[other]) = (true, true);
-        }
+        let stuck = begins.held(regime);
         let held = S::equations_in(&self.system.in_regime(&stuck), *t, q, v, self.inputs)?;
         let strengths = self.balance(&stuck, v)?.1.accelerations;
         let mut slips = held.balance().multipliers.each(|force| -force);
@@ -71,40 +78,44 @@ where
         let mut velocities = *v;
         for _ in 0..TURNS {
             let mut lack = [zero; C];
-            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins.has(*row)) {
-                let length = slips[row].hypot(slips[other]);
+            for [row, other] in begins.slips(&S::ROWS) {
+                let length = entry(&slips, row).hypot(entry(&slips, other));
                 if !length.is_positive() {
                     return None;
                 }
-                let lost = most(self.speeds[row], self.speeds[other]) * self.lost;
+                let lost = most(entry(&self.speeds, row), entry(&self.speeds, other)) * self.lost;
                 // In the time that rounding hides, forces change a velocity by this.
-                let [a, b] = [row, other].each(|row| extent(&self.gradients[row], &strengths));
+                let [a, b] = [row, other].each(|row| self.extent_of(row, &strengths));
                 let hidden = S::Scalar::from_f64(4.0) * S::Scalar::epsilon() * t.abs() * most(a, b);
                 let least = most(lost, hidden);
                 let least = if least.is_positive() { least } else { S::Scalar::epsilon() * self.lost };
                 let size = least * S::Scalar::from_f64(LAUNCHED);
                 for row in [row, other] {
-                    lack[row] = size * slips[row] / length - self.laws.rows.rates[row];
+                    let rate = entry(&self.laws.rows.rates, row);
+                    put(&mut lack, row, size * entry(&slips, row) / length - rate);
                 }
             }
             let (change, _) = held.saddle.solve(&[zero; N], &lack);
             velocities = array(|i| v[i] + change[i]);
             let (balance, sizes) = self.balance(regime, &velocities)?;
             let (mut lacks, mut is_done) = ([zero; C], true);
-            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins.has(*row)) {
+            for [row, other] in begins.slips(&S::ROWS) {
                 let rates = [row, other].each(|row| self.rate(row, &balance.accelerations));
                 let speed = rates[0].hypot(rates[1]);
-                let noise = rounding::<S::Scalar>() * extent(&self.gradients[row], &sizes.accelerations);
+                let noise = rounding::<S::Scalar>() * self.extent_of(row, &sizes.accelerations);
                 // If nothing accelerates the slip, it takes the direction of the force that drives it.
                 if !above(speed, noise) {
                     continue;
                 }
-                if !is_scaled {
-                    let share = speed / slips[row].hypot(slips[other]);
-                    (slips[row], slips[other]) = (share * slips[row], share * slips[other]);
+                let now = [row, other].each(|row| entry(&slips, row));
+                let share = if is_scaled { num_traits::One::one() } else { speed / now[0].hypot(now[1]) };
+                let mut lack = [zero; 2];
+                for (k, row) in [row, other].into_iter().enumerate() {
+                    lack[k] = rates[k] - share * now[k];
+                    put(&mut slips, row, share * now[k]);
+                    put(&mut lacks, row, lack[k]);
                 }
-                (lacks[row], lacks[other]) = (rates[0] - slips[row], rates[1] - slips[other]);
-                is_done = is_done && !above(lacks[row].hypot(lacks[other]), noise);
+                is_done = is_done && !above(lack[0].hypot(lack[1]), noise);
             }
             if is_done {
                 break;
@@ -127,20 +138,26 @@ where
         sizes: &Sizes<S::Scalar, N>,
     ) -> Option<S::Scalar> {
         let mut later = num_traits::Zero::zero();
-        for rows in pairs(&S::ROWS).filter(|[row, _]| begins.has(*row)) {
-            let [x, y] = rows.each(|row| self.laws.rows.rates[row] + self.change(row, velocities));
+        for rows in begins.slips(&S::ROWS) {
+            let [x, y] = rows.each(|row| entry(&self.laws.rows.rates, row) + self.change(row, velocities));
             let [turn_x, turn_y] = rows.each(|row| self.rate(row, &balance.accelerations));
-            let [a, b] = rows.each(|row| extent(&self.gradients[row], &sizes.accelerations));
+            let [a, b] = rows.each(|row| self.extent_of(row, &sizes.accelerations));
             let (speed, strength) = (turn_x.hypot(turn_y), most(a, b));
             let time = x.hypot(y) / speed;
             // The time scale of the motion as a whole is its speed over its acceleration.
-            let whole = most(self.speeds[rows[0]], self.speeds[rows[1]]);
+            let whole = rows.each(|row| entry(&self.speeds, row));
+            let whole = most(whole[0], whole[1]);
             if !time.is_finite() || above(time * strength * strength, whole * speed) {
                 return None;
             }
             later = most(later, time);
         }
         Some(later)
+    }
+
+    /// Σ |aᵢ xᵢ| of the gradient of a row.
+    pub(super) fn extent_of(&self, row: usize, x: &[S::Scalar; N]) -> S::Scalar {
+        self.gradients.get(row).map_or(num_traits::Zero::zero(), |gradient| extent(gradient, x))
     }
 
     /// The change of the rate of a row by velocities.

@@ -31,6 +31,13 @@ pub(super) fn entry<R: Real, const C: usize>(numbers: &[R; C], row: usize) -> R 
     numbers.get(row).copied().unwrap_or(R::zero())
 }
 
+/// Sets the number of a row, if there is such a row.
+pub(super) fn put<T, const C: usize>(numbers: &mut [T; C], row: usize, number: T) {
+    if let Some(own) = numbers.get_mut(row) {
+        *own = number;
+    }
+}
+
 /// Σ aᵢ xᵢ.
 pub(super) fn product<R: Real, const N: usize>(a: &[R; N], x: &[R; N]) -> R {
     a.iter().zip(x).fold(R::zero(), |sum, (&a, &x)| a.mul_add(x, sum))

@@ -2,7 +2,7 @@
 
 use super::memory::shift;
 use super::run::Run;
-use super::scene::{Known, Scene, above, entry, most};
+use super::scene::{Known, Scene, above, entry, most, put};
 use super::turning::pairs;
 use super::{Row, Switching};
 use crate::number::real::{Ordered, Real};
@@ -75,11 +75,7 @@ where
             // Feet that come to rest together do so up to the tolerance.
             let mut rested = [false; C];
             for rows in pairs(&S::ROWS).filter(|&[row, other]| self.rests(row, other, &state)) {
-                for row in rows {
-                    if let Some(rested) = rested.get_mut(row) {
-                        *rested = true;
-                    }
-                }
+                rows.into_iter().for_each(|row| put(&mut rested, row, true));
             }
             let known = Known { closed: present.active, fired: Some(row), settled: false, rested };
             let regime = self.settle(&mut state, &present, known, left.part(0) - left)?;

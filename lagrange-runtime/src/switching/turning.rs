@@ -49,7 +49,7 @@ impl<R: Real, const C: usize> Turning<R, C> {
 /// The rows of each slip in two directions.
 pub(super) fn pairs<const C: usize>(rows: &[Row; C]) -> impl Iterator<Item = [usize; 2]> + '_ {
     rows.iter().enumerate().filter_map(|(row, kind)| match kind {
-        Row::Friction { pair: Some(other), .. } if row < *other => Some([row, *other]),
+        Row::Friction { pair: Some(other), .. } if row < *other && *other < C => Some([row, *other]),
         _ => None,
     })
 }

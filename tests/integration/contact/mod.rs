@@ -6,6 +6,7 @@ mod corners;
 mod directions;
 mod edges;
 mod friction;
+mod growing;
 mod indeterminate;
 mod inputs;
 mod kinks;

@@ -204,3 +204,61 @@ fn several_numbers_of_one_type_are_several_systems() {
     let start = State::at_rest(Beads3Coordinates { x: [0.0, 1.0, 1.0] });
     assert_eq!(three.accelerations(&start).unwrap(), [3.0, -3.0, 0.0]);
 }
+
+/// Any letter may be the name of a scalar, also that of a system with contacts.
+mod letters {
+    use lagrangian::prelude::*;
+
+    macro_rules! ball {
+        ($module:ident, $letter:ident) => {
+            pub mod $module {
+                use super::*;
+
+                pub struct Ball<$letter> {
+                    pub e: $letter,
+                }
+
+                #[lagrangian(coordinates = [y], inputs = [pull], jacobians)]
+                impl<$letter: Real> Ball<$letter> {
+                    #[kinetic]
+                    fn kinetic(&self, v: &Velocities<$letter>) -> $letter {
+                        0.5 * v.y.powi(2)
+                    }
+
+                    #[force(on = y)]
+                    fn pull(&self, u: &Inputs<$letter>) -> $letter {
+                        u.pull - 2.0
+                    }
+
+                    #[unilateral(restitution = self.e)]
+                    fn floor(&self, q: &Coordinates<$letter>) -> $letter {
+                        q.y
+                    }
+
+                    #[event]
+                    fn height(&self, q: &Coordinates<$letter>) -> $letter {
+                        q.y - 0.1
+                    }
+                }
+            }
+        };
+    }
+
+    ball!(of_t, T);
+    ball!(of_s, S);
+    ball!(of_r, R);
+    ball!(of_x, X);
+
+    #[test]
+    fn a_ball_bounces_whatever_its_scalar_is_called() {
+        // It falls from 1 in a time of 1, and is back at rest at e² = 1/4 after half of that.
+        macro_rules! bounces {
+            ($($module:ident)*) => {$(
+                let ball = $module::Ball { e: 0.5_f64 };
+                let end = *ball.simulate(State::at_rest([1.0])).advance_to(1.5).unwrap();
+                assert!((end.q[0] - 0.25).abs() < 1e-14 && end.v[0].abs() < 1e-14, "{end:?}");
+            )*};
+        }
+        bounces!(of_t of_s of_r of_x);
+    }
+}

@@ -205,7 +205,7 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
             } else {
                 for k in (0..rank).rev() {
                     let known = coefficients.iter().zip(&self.lower).take(rank).skip(k + 1);
-                    let sum = known.fold(self.lower[c][k], |sum, (&x, row)| sum - x * row[k]);
+                    let sum = known.fold(self.lower[c][k], |sum, (&x, row)| sum - x * pick(row, k));
                     coefficients[k] = sum * self.inverse[k];
                 }
             }

@@ -142,7 +142,7 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
         let Jam::Loaded(lu, loads) = &self.jam else { return self.solve_motion(r, y) };
         let (v, mut free) = self.saddle.solve(r, y);
         for row in loads.sums() {
-            free[row] = -(rate * y[row]);
+            put(&mut free, row, -(rate * pick(y, row)));
         }
         let known = known.as_chunks::<C>().0;
         let known = known.get(..order - 1).unwrap_or(known);

@@ -2,6 +2,7 @@
 
 use super::super::course::Course;
 use super::super::guards::{Guard, Guards, Parts};
+use super::super::scene::entry;
 use super::super::{Along, Row, Switching};
 use crate::motion::roots::Before;
 use crate::number::real::{Ordered, Real};
@@ -30,10 +31,12 @@ where
             }
             Guard::Row(row) => row,
         };
-        let function = |row: usize| along(S::ALONG.rows[row], functions.rows[row]);
-        let reaction = |row: usize| Some(course.curve_of_reaction(row, C)?.scaled(self.regime.side[row]));
+        let function = |row: usize| along(*S::ALONG.rows.get(row)?, *functions.rows.get(row)?);
+        let reaction =
+            |row: usize| Some(course.curve_of_reaction(row, C)?.scaled(entry(&self.regime.side, row)));
+        let kind = *S::ROWS.get(row)?;
         let is_active = self.regime.active[row];
-        match S::ROWS[row] {
+        match kind {
             Row::Bilateral | Row::Load => reaction(row),
             Row::Unilateral if is_active => reaction(row),
             Row::Unilateral => function(row),
@@ -61,7 +64,7 @@ where
             Row::Friction { pair: Some(other), .. } => {
                 let directions = self.directions();
                 let one = function(row)?.scaled(directions[row].part(0));
-                Some(one.plus(directions[other].part(0), &function(other)?))
+                Some(one.plus(entry(directions, other).part(0), &function(other)?))
             }
         }
     }

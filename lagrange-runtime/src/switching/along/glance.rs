@@ -2,6 +2,7 @@
 
 use super::super::course::Course;
 use super::super::guards::{Guard, Guards, Parts};
+use super::super::scene::entry;
 use super::super::{Along, Row, Switching};
 use super::Ends;
 use crate::motion::roots::{rises, stays_above};
@@ -40,11 +41,12 @@ where
         let reaction = |row: usize| {
             let (start, gain) = course.gain_of_reaction(row, C)?;
             let is_known = gain.last <= course.left.sqrt() * (start.abs() + gain.most);
-            is_known.then_some((start * self.regime.side[row].part(0), gain.most))
+            is_known.then_some((start * entry(&self.regime.side, row).part(0), gain.most))
         };
         let function = |sign| is_followed(S::ALONG.rows[row], functions.rows[row], sign);
+        let Some(&kind) = S::ROWS.get(row) else { return false };
         let is_active = self.regime.active[row];
-        match S::ROWS[row] {
+        match kind {
             Row::Unilateral if !is_active => function(num_traits::One::one()),
             Row::Bilateral | Row::Load | Row::Unilateral => {
                 reaction(row).is_some_and(|(start, most)| start > most)

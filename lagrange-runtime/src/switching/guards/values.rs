@@ -25,6 +25,18 @@ impl<R: Real, const C: usize, const W: usize> Values<R, C, W> {
         Self { rows: [zero; C], row_sizes: [zero; C], kinks: [zero; W], kink_sizes: [zero; W] }
     }
 
+    pub fn set_row(&mut self, row: usize, (value, size): (R, R)) {
+        if let (Some(own), Some(own_size)) = (self.rows.get_mut(row), self.row_sizes.get_mut(row)) {
+            (*own, *own_size) = (value, size);
+        }
+    }
+
+    pub fn set_kink(&mut self, kink: usize, (value, size): (R, R)) {
+        if let (Some(own), Some(own_size)) = (self.kinks.get_mut(kink), self.kink_sizes.get_mut(kink)) {
+            (*own, *own_size) = (value, size);
+        }
+    }
+
     pub fn get(&self, guard: Guard) -> (R, R) {
         let (value, size) = match guard {
             Guard::Row(row) => (self.rows.get(row), self.row_sizes.get(row)),
