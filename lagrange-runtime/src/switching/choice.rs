@@ -155,8 +155,8 @@ where
                 _ => Options::new(&[Part::Off]),
             };
             let part = match kind {
-                // A contact that touches bears, if only nothing, and friction at rest holds: so a body rests on
-                // all its feet.
+                // A contact that touches bears, if only nothing, and friction at rest holds: so a body
+                // rests on all its feet.
                 Row::Unilateral | Row::Friction { pair: Some(_), .. } if avoid != Some(row) => Part::On,
                 _ => Part::of(row, kind, present),
             };
@@ -254,8 +254,8 @@ where
             let rate = self.rate(row, &trial.accelerations);
             let own = self.gradients.get(row).map_or(zero, |own| extent(own, &sizes.accelerations));
             let play = part * (own + entry(&self.gamma, row).abs());
-            // Rows that depend on each other may demand contradictory things. Where nothing pulls, accelerations
-            // are rounding errors; those that friction could prevent are the measure of them.
+            // Rows that depend on each other may demand contradictory things. Where nothing pulls,
+            // accelerations are rounding errors; those that friction could prevent are the measure of them.
             let prevented = match kind {
                 Row::Friction { normal, .. } => {
                     self.limit(row, *normal, &trial.multipliers).abs() * self.mobility(row)

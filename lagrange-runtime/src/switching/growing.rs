@@ -1,12 +1,14 @@
 //! Slips in two directions that a growing load begins.
 //!
-//! Where a load has grown to what friction can hold, the slip begins without an acceleration: its speed grows
-//! like t², along the load, and friction turns to the load within m|v|/F, a time that begins at zero. A series
-//! there has the radius of convergence of that time, so no series can begin. This is what can: friction that
-//! turns so fast is against the load itself. So the motion is taken on by a short time τ in one piece, with
-//! accelerations under friction against the load at its end, which grow linearly from those at its start.
+//! Where a load has grown to what friction can hold, the slip begins without an acceleration: its speed
+//! grows like t², along the load, and friction turns to the load within m|v|/F, a time that begins at zero.
+//! A series there has the radius of convergence of that time, so no series can begin. This is what can:
+//! friction that turns so fast is against the load itself. So the motion is taken on by a short time τ in
+//! one piece, with accelerations under friction against the load at its end, which grow linearly from those
+//! at its start.
 //!
-//! With the time T in which the load grows by itself, that is true to (τ/T)³. What is left takes a few T/τ steps.
+//! With the time T in which the load grows by itself, that is true to (τ/T)³. What is left takes a few T/τ
+//! steps.
 
 use super::choice::Choice;
 use super::memory::shift;

@@ -109,11 +109,11 @@ where
                 }
                 let now = [row, other].each(|row| entry(&slips, row));
                 let share = if is_scaled { num_traits::One::one() } else { speed / now[0].hypot(now[1]) };
-                let mut lack = [zero; 2];
-                for (k, row) in [row, other].into_iter().enumerate() {
-                    lack[k] = rates[k] - share * now[k];
-                    put(&mut slips, row, share * now[k]);
-                    put(&mut lacks, row, lack[k]);
+                let scaled = now.each(|slip| share * slip);
+                let lack = [rates[0] - scaled[0], rates[1] - scaled[1]];
+                for (row, (slip, lack)) in [row, other].into_iter().zip(scaled.into_iter().zip(lack)) {
+                    put(&mut slips, row, slip);
+                    put(&mut lacks, row, lack);
                 }
                 is_done = is_done && !above(lack[0].hypot(lack[1]), noise);
             }

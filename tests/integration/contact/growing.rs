@@ -118,7 +118,8 @@ impl Pair {
 #[test]
 fn blocks_break_away_at_their_own_times_also_together() {
     for limits in [[3.0, 3.0], [3.0, 2.0], [2.0, 3.0], [3.0, 3.0 + 1e-9], [3.0, 3.001]] {
-        let mut motion = Pair { limits }.simulate(State::at_rest([0.0; 4])).with_tolerance(1e-12);
+        let pair = Pair { limits };
+        let mut motion = pair.simulate(State::at_rest([0.0; 4])).with_tolerance(1e-12);
         let v = motion.advance_to(5.0).unwrap().v;
         let speeds = [v[0].hypot(v[1]), v[2].hypot(v[3])];
         let expected = [(5.0 - limits[0]).powi(2) / 4.0, (5.0 - limits[1]).powi(2) / 2.0];
@@ -326,14 +327,16 @@ impl Plate {
 
 #[test]
 fn a_plate_on_four_feet_breaks_away_and_comes_to_rest() {
-    let mut motion = Plate { pull: 1.0 }.simulate(State::at_rest([0.0; 3]));
+    let pulled = Plate { pull: 1.0 };
+    let mut motion = pulled.simulate(State::at_rest([0.0; 3]));
     close(motion.advance_to_switch(20.0).unwrap().unwrap().state.t, 9.8, 1e-13);
     // m v = ∫ (t − 9.8) dt.
     all_close(motion.advance_to(20.0).unwrap().v, [10.2_f64.powi(2) / 4.0, 0.0, 0.0], 1e-8);
-    let mut motion = Plate { pull: 0.0 }.simulate(State::new([0.0; 3], [1.0, 0.0, 0.0]));
+    let free = Plate { pull: 0.0 };
+    let mut motion = free.simulate(State::new([0.0; 3], [1.0, 0.0, 0.0]));
     all_close(motion.advance_to(1.0).unwrap().q, [1.0 / 9.8, 0.0, 0.0], 1e-9);
     for start in [[0.0, 0.0, 2.0], [1.0, 0.0, 3.0], [1.0, 0.5, 10.0]] {
-        let mut motion = Plate { pull: 0.0 }.simulate(State::new([0.0; 3], start));
+        let mut motion = free.simulate(State::new([0.0; 3], start));
         assert_eq!(motion.advance_to(20.0).unwrap().v, [0.0; 3], "{start:?}");
     }
 }

@@ -1,32 +1,81 @@
 //! What earlier terms of a series say of its last ones.
 //!
-//! Symmetry makes coefficients vanish, at x = 0 of x″ = −x³ two of any four orders, or nearly vanish beside it.
-//! So the last two terms alone could say that a step is short enough when it is not. Earlier terms predict how
-//! large they would be otherwise, by one of two rules, of which the more generous one counts:
+//! Symmetry makes coefficients vanish, at x = 0 of x″ = −x³ two of any four orders, or nearly vanish beside
+//! it. So the last two terms alone could say that a step is short enough when it is not. Earlier terms
+//! predict how large they would be otherwise, by one of two rules, of which the more generous one counts:
 //!
-//! 1. Terms fall from order to order by [`steepest`] at most.
-//! 2. Terms fall from an order k on as they fell to it, with ratios that grow like the order, as those of an
-//!    oscillation do, (ωt)ᵏ/k!: the Newton polygon of the series, the hull of its points (k, ln term), goes on
-//!    beyond its last vertex. Terms of a motion with many frequencies rise at first and then fall more steeply
-//!    than the first rule allows.
+//! 1. Terms fall from order to order by [`steepest`] at most. That is soon seen.
+//! 2. Terms fall from an order k on as they fell to it, with ratios that grow like the order, as those of
+//!    an oscillation do, (ωt)ᵏ/k!: the Newton polygon of the series, the hull of its points (k, ln term),
+//!    goes on beyond its last vertex. Terms of a motion with many frequencies rise at first and then fall
+//!    more steeply than the first rule allows.
 
-use crate::number::real::{Ordered, Real};
+use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::series::HIGHEST;
 
 use super::last_term;
 
-/// The largest ratio of successive terms of a series that counts as decay.
-///
-/// Of all sums of oscillations whose first terms are at most their size, and whose term of order p is the
-/// tolerance, a single one has the largest terms before that: (ωt)ᵏ/k!. Its last ratio is p/(ωt), where
-/// (ωt)ᵖ/p! is the tolerance; p/(p!)^(1/p) is less than e.
+/// The ratio of successive terms that the first rule allows at least.
+pub(crate) const STEEPEST: f64 = 6.0;
+
+/// The largest ratio of successive terms of a series that counts as decay: 1.5 times the decay that
+/// tolerance and order demand. That is [`STEEPEST`], unless [`HIGHEST`] leaves fewer orders per digit, as
+/// happens for scalars with more digits than `f64`.
 #[inline]
 pub(crate) fn steepest<R: Ordered>(tolerance: R, orders: usize) -> R {
-    (R::one() - last_term(tolerance).ln() / R::from_f64(orders as f64)).exp()
+    let demanded = (-last_term(tolerance).ln() / R::from_f64(orders as f64)).exp();
+    larger(R::from_f64(STEEPEST), R::from_f64(1.5) * demanded)
 }
 
-/// The largest last term that a term of the upper half of a series predicts by the second rule. `term` gives the
-/// size of an order.
+/// A length at which terms of lower orders are small, too, at most the given one. `term` gives the size of an
+/// order, in tolerances.
+#[inline]
+pub(super) fn bounded<R>(orders: usize, steepest: R, length: R, term: impl Fn(usize) -> R) -> R
+where
+    R: Real + PartialOrd,
+{
+    let half = orders / 2;
+    // All terms at once, as in Horner's scheme: term(k) lengthᵏ against the power of the orders that follow.
+    let steep = steepest * length;
+    let most = (half..orders - 1).rev().fold(R::zero(), |most, order| larger(most * steep, term(order)));
+    if most * steep.powi(half as i32) <= steepest.powi(orders as i32) {
+        return length;
+    }
+    shortened(orders, steepest, length, term)
+}
+
+/// The same if some term is too large by the first rule.
+#[cold]
+fn shortened<R>(orders: usize, steepest: R, length: R, term: impl Fn(usize) -> R) -> R
+where
+    R: Real + PartialOrd,
+{
+    let (mut shortened, mut allowed) = (length, steepest);
+    for order in (orders / 2..orders - 1).rev() {
+        allowed *= steepest;
+        let term = term(order) / allowed;
+        if term != R::zero() && term * shortened.powi(order as i32) > R::one() {
+            shortened = reach(term, order);
+        }
+    }
+    if !length.is_finite() {
+        return shortened;
+    }
+    let last = predicted(orders, |order| term(order) * length.powi(order as i32));
+    larger(length * smaller(reach(last, orders), R::one()), shortened)
+}
+
+/// The length at which a term of an order falls to one.
+#[inline]
+pub(super) fn reach<R: Real>(term: R, order: usize) -> R {
+    if term == R::zero() {
+        return R::from_f64(f64::INFINITY);
+    }
+    (-term.ln() / R::from_f64(order as f64)).exp()
+}
+
+/// The largest last term that a term of the upper half of a series predicts by the second rule. `term`
+/// gives the size of an order.
 #[cold]
 #[inline(never)]
 pub(crate) fn predicted<R: Real>(orders: usize, term: impl Fn(usize) -> R) -> R {
@@ -74,16 +123,28 @@ mod tests {
     const CASES: [(f64, usize); 4] = [(1e-3, 8), (1e-6, 14), (1e-10, 30), (1e-14, HIGHEST)];
 
     #[test]
-    fn the_terms_of_an_oscillation_are_not_too_steep() {
-        for (tolerance, p) in CASES {
-            let term = oscillation(tolerated(tolerance, p), tolerance);
-            let most: f64 = steepest(tolerance, p);
-            for k in 1..p {
-                assert!(term(k) < most.powi((p - k) as i32), "{tolerance:e}, {p}, {k}");
-            }
-            // Nor is the bound much larger than they ask for.
-            assert!(term(p - 1) > 0.6 * most, "{tolerance:e}, {p}");
+    fn a_term_of_the_upper_half_that_is_too_large_shortens_the_step_to_where_it_is_not() {
+        for (large, length) in [(18, 0.25_f64.powf(1.0 / 18.0)), (12, 0.5_f64.powf(8.0 / 12.0)), (10, 0.5)] {
+            let found = bounded(20, 0.5, 1.0, |order| if order == large { 1.0 } else { 0.0 });
+            assert!((found - length).abs() < 1e-14, "{large}: {found}");
         }
+    }
+
+    #[test]
+    fn terms_that_fall_as_fast_as_they_are_to_leave_the_length() {
+        // A little below the limit, because powers are rounded.
+        assert_eq!(bounded(20, 0.5, 1.0, |order| 0.999 * 0.5_f64.powi(20 - order as i32)), 1.0);
+        // The lower half is the motion itself.
+        assert_eq!(bounded(20, 0.5, 1.0, |order| if order < 10 { 1e3 } else { 0.0 }), 1.0);
+    }
+
+    #[test]
+    fn terms_may_fall_by_six_unless_the_highest_order_asks_for_more() {
+        assert_eq!(steepest(1e-10, 21), STEEPEST);
+        // The last of 10 terms is a thousandth of an ulp: 1.5 times the decay that they demand.
+        let demanded = (1e-3 * f64::EPSILON).powf(-0.1);
+        let found: f64 = steepest(1e-30, 10);
+        assert!((found / (1.5 * demanded) - 1.0).abs() < 1e-12, "{found}");
     }
 
     #[test]

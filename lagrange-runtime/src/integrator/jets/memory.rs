@@ -5,7 +5,7 @@ use num_traits::{One, Zero};
 use super::super::dop853::add;
 use super::super::landing::{Determined, across};
 use super::super::step_size;
-use super::fall::{predicted, steepest};
+use super::fall::{bounded, reach, steepest};
 use super::{DECAY, GROWTH, ORDERS_PER_DIGIT, SAFETY, last_term, orders};
 use crate::constraints::Footing;
 use crate::linear::Independence;
@@ -264,7 +264,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         if steady && length <= R::Lane::from_f64(GROWTH) {
             return length;
         }
-        self.bounded(length, term)
+        bounded(p, self.steepest.largest(), length, term)
     }
 
     /// Weights of coordinates and of velocities, or of one of their derivatives: the reciprocals of the
@@ -353,51 +353,6 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let longer = R::splat(reach(larger(term(p), number(DECAY) * term(p - 1)), p));
         (longer > theta && longer.is_finite()).then_some(longer)
     }
-
-    /// A length at which terms of lower orders are small, too. `term` gives the weighted size of an order.
-    #[inline]
-    fn bounded(&self, length: R::Lane, term: impl Fn(usize) -> R::Lane) -> R::Lane {
-        let (steepest, half) = (self.steepest.largest(), self.orders / 2);
-        // All terms at once, as in Horner's scheme: term(k) lengthᵏ against the power of the orders that
-        // follow.
-        let steep = steepest * length;
-        let most = (half..self.orders - 1)
-            .rev()
-            .fold(R::Lane::zero(), |most, order| larger(most * steep, term(order)));
-        if most * steep.powi(half as i32) <= steepest.powi(self.orders as i32) {
-            return length;
-        }
-        self.shortened(length, term)
-    }
-
-    /// The same if some term needs a shorter length. That by which the terms fall may do.
-    #[cold]
-    fn shortened(&self, length: R::Lane, term: impl Fn(usize) -> R::Lane) -> R::Lane {
-        let steepest = self.steepest.largest();
-        let (mut shortened, mut allowed) = (length, steepest);
-        for order in (self.orders / 2..self.orders - 1).rev() {
-            allowed *= steepest;
-            let term = term(order) / allowed;
-            if term != R::Lane::zero() && term * shortened.powi(order as i32) > R::Lane::one() {
-                shortened = reach(term, order);
-            }
-        }
-        if !length.is_finite() {
-            return shortened;
-        }
-        let last = predicted(self.orders, |order| term(order) * length.powi(order as i32));
-        let as_they_fall = length * smaller(reach(last, self.orders), R::Lane::one());
-        larger(as_they_fall, shortened)
-    }
-}
-
-/// The length at which a term of an order falls to one.
-#[inline]
-fn reach<R: Real>(term: R, order: usize) -> R {
-    if term == R::zero() {
-        return R::from_f64(f64::INFINITY);
-    }
-    (-term.ln() / R::from_f64(order as f64)).exp()
 }
 
 #[cfg(test)]
