@@ -155,9 +155,8 @@ where
                 _ => Options::new(&[Part::Off]),
             };
             let part = match kind {
-                // A contact that touches bears, if only nothing, and friction at rest holds: so a body
-                // rests on all its feet.
-                Row::Unilateral | Row::Friction { pair: Some(_), .. } if avoid != Some(row) => Part::On,
+                // A slip that begins has no direction of its own, so friction at rest holds if it can.
+                Row::Friction { pair: Some(_), .. } if avoid != Some(row) => Part::On,
                 _ => Part::of(row, kind, present),
             };
             options.with(part, avoid != Some(row))

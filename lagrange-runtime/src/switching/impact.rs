@@ -355,7 +355,11 @@ where
             // Rows that depend on each other may demand contradictory things.
             let wanted = self.wanted(row, &demand.restitution);
             let asked = strike.active[row] && *kind != Row::Bilateral;
-            let inexact = S::Scalar::epsilon().sqrt() * (wanted.abs() + change.abs() + self.speeds[row]);
+            // What single impulses do to its rate is the measure where all rates are roundings.
+            let single = (0..N)
+                .fold(zero, |sum, i| sum + (gradient[i] * self.units[i] * self.units[i] * sizes[i]).abs());
+            let inexact =
+                S::Scalar::epsilon().sqrt() * (wanted.abs() + change.abs() + self.speeds[row] + single);
             if asked && above((change - wanted).abs(), inexact) {
                 return Err(row);
             }

@@ -6,7 +6,7 @@
 //! follow are taken together with this one, and the contact stays closed and at rest.
 
 use super::impact::Struck;
-use super::scene::{Scales, Scene, Status, above, most};
+use super::scene::{Scales, Scene, Status, above, entry, extent, most, rounding};
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
 use crate::number::elements::array;
@@ -56,6 +56,42 @@ where
         let opens = |row: &usize| self.is_closed[*row] && self.status[*row] == Status::Apart;
         let constraint = (0..C).find(opens).unwrap_or(0);
         Cause::ImpactsAccumulate { constraint, name: S::NAMES.constraint(constraint) }
+    }
+
+    /// What forces or impulses of these sizes, each by itself, do to the rate of a row.
+    pub(super) fn effect(&self, row: usize, sizes: &[S::Scalar; N]) -> S::Scalar {
+        let Some(gradient) = self.gradients.get(row) else { return num_traits::Zero::zero() };
+        let by_size: [S::Scalar; N] = array(|i| self.units[i] * self.units[i] * sizes[i]);
+        extent(gradient, &by_size)
+    }
+
+    /// The slips that an impact has left with nothing but rounding errors of its impulses.
+    pub(super) fn stopped(&self, v: &[S::Scalar; N], impulses: &[S::Scalar; C]) -> [bool; C] {
+        let mut sizes = [num_traits::Zero::zero(); N];
+        for (gradient, &impulse) in self.gradients.iter().zip(impulses) {
+            for (size, &entry) in sizes.iter_mut().zip(gradient) {
+                *size += (entry * impulse).abs();
+            }
+        }
+        array(|row| {
+            let Some(Row::Friction { pair, .. }) = S::ROWS.get(row) else { return false };
+            let of = |row: usize| entry(&self.laws.rows.rates, row) + self.change(row, v);
+            let other = pair.map_or(num_traits::Zero::zero(), of);
+            let effect = self.effect(row, &sizes);
+            let effect = pair.map_or(effect, |other| most(effect, self.effect(other, &sizes)));
+            !above(of(row).hypot(other), rounding::<S::Scalar>() * effect)
+        })
+    }
+
+    /// A regime with the contacts that touch closed.
+    pub(super) fn touching(&self, present: &Regime<S::Scalar, C, W>) -> Regime<S::Scalar, C, W> {
+        let mut regime = *present;
+        for (row, active) in regime.active.iter_mut().enumerate() {
+            *active = *active
+                || S::ROWS.get(row) == Some(&Row::Unilateral)
+                    && self.status.get(row) == Some(&Status::Touches);
+        }
+        regime
     }
 
     /// The velocities with those contacts closed that an impact would open for a negligible time only, and

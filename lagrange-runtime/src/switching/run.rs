@@ -87,10 +87,14 @@ where
                 {
                     return Err(cause);
                 }
-                known = Known { closed: scene.is_closed, fired: None, settled: true, rested: [false; C] };
+                let rested = scene.stopped(&state.v, impulses);
+                known = Known { closed: scene.is_closed, fired: None, settled: true, rested };
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &later;
             }
+            // A body that begins or lands rests on all its feet: each contact that touches bears, if only nothing.
+            let touching = scene.touching(present);
+            let present = if self.memory.is_fresh || known.settled { &touching } else { present };
             let mut choice = scene.choose(present, known.fired)?;
             if let Some((v, more)) = scene.gathered(&choice.accelerations, scales, self.limits.relative) {
                 if S::Scalar::PARTS > 1 {
