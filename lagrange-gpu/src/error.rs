@@ -137,8 +137,7 @@ impl fmt::Display for Error {
                 write!(
                     out,
                     "the kernels `{}` can panic or allocate: they call `{}`, which exists nowhere. Take `get` for \
-                     an index that is not sure to be inside, and no `unwrap`; friction in two directions or in a \
-                     bearing is not for kernels",
+                     an index that is not sure to be inside, and no `unwrap`",
                     kernels.join("`, `"),
                     names.join("`, `")
                 )

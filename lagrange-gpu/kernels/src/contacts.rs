@@ -59,7 +59,7 @@ impl Belt {
     }
 }
 
-/// A curling stone on ice: friction in the two directions of a plane, from its weight.
+/// A stone on a slope of ice: friction in the two directions of a plane.
 #[derive(Clone, Copy, Debug)]
 pub struct Stone;
 
@@ -70,7 +70,6 @@ impl Stone {
         Vector2::new(q.x, q.y)
     }
 
-    /// A slope along y.
     #[potential]
     fn gravity(&self, q: &Coordinates) -> f64 {
         20.0 * G * 0.01 * q.y

@@ -92,7 +92,8 @@ where
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &later;
             }
-            // A body that begins or lands rests on all its feet: each contact that touches bears, if only nothing.
+            // A body that begins or lands rests on all its feet: each contact that touches bears, if only
+            // nothing.
             let touching = scene.touching(present);
             let present = if self.memory.is_fresh || known.settled { &touching } else { present };
             let mut choice = scene.choose(present, known.fired)?;

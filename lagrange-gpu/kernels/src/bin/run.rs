@@ -23,6 +23,10 @@ const STEPS: Steps = (1.0 / 128.0, 256);
 /// Ten seconds.
 const UNTIL: Until = (10.0, 1e-9);
 
+/// Two seconds with contacts.
+#[cfg(feature = "contacts")]
+const SOON: Until = (2.0, 1e-9);
+
 /// Rows, and the time that they took \[s].
 type Timed<S, R> = Result<(Rows<S, R, MotionError<f64>>, f64), GpuError>;
 
@@ -136,5 +140,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     all.row(kernel!(four_bar_jet6), STEPS)?;
     all.row(kernel!(four_bar_adaptive), UNTIL)?;
     all.row(kernel!(four_bar_dop853), UNTIL)?;
+    #[cfg(feature = "contacts")]
+    {
+        all.row(kernel!(puck), SOON)?;
+        all.row(kernel!(puck_apex), SOON)?;
+        all.row(kernel!(puck_steps), SOON)?;
+        all.row(kernel!(belt), SOON)?;
+        all.row(kernel!(stone), SOON)?;
+        all.row(kernel!(bearing), SOON)?;
+    }
     if all.different > 0 { Err(format!("{} rows have other bits", all.different).into()) } else { Ok(()) }
 }

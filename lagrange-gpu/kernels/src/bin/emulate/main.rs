@@ -104,6 +104,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("puck_apex", compare(machine, kernel!(puck_apex), UNTIL)?),
         ("puck_steps", compare(machine, kernel!(puck_steps), UNTIL)?),
         ("belt", compare(machine, kernel!(belt), UNTIL)?),
+        ("stone", compare(machine, kernel!(stone), UNTIL)?),
+        ("bearing", compare(machine, kernel!(bearing), UNTIL)?),
     ]);
     for (name, instructions) in all {
         println!("{name}: the same bits in {COUNT} motions, {instructions} instructions of PTX each");
