@@ -31,6 +31,48 @@ pub fn reaching(text: &str, names: &[String]) -> Vec<String> {
     kernels.map(|function| function.name.to_owned()).collect()
 }
 
+/// The text without these functions, and without what calls them: for functions that no kernel reaches. The
+/// compiler may find so late that a check never fails that the function which would report it stays.
+pub fn without(text: &str, names: &[String]) -> String {
+    let functions = functions(text);
+    let mut gone: HashSet<&str> = names.iter().map(String::as_str).collect();
+    loop {
+        let calls = |function: &&Function<'_>| {
+            let mut words = function.body.split(|c: char| !is_of_a_name(c));
+            !function.is_kernel && !gone.contains(function.name) && words.any(|word| gone.contains(word))
+        };
+        let more: Vec<_> = functions.iter().filter(calls).map(|function| function.name).collect();
+        if more.is_empty() {
+            break;
+        }
+        gone.extend(more);
+    }
+    let mut kept = String::with_capacity(text.len());
+    let mut rest = text;
+    while !rest.is_empty() {
+        let line = rest.split_inclusive('\n').next().unwrap_or(rest);
+        let declared = [".extern .func", ".func"].into_iter().find_map(|kind| line.strip_prefix(kind));
+        let is_gone = declared.is_some_and(|_| {
+            let start = rest.find(".func").map_or(rest, |at| &rest[at + ".func".len()..]);
+            name(start).is_some_and(|name| gone.contains(name))
+        });
+        let length = if !is_gone {
+            line.len()
+        } else if let Some(open) = rest.find(['{', ';']) {
+            let last =
+                if rest[open..].starts_with('{') { rest.find("\n}").map(|at| at + 1) } else { Some(open) };
+            last.map_or(rest.len(), |last| last + 1)
+        } else {
+            rest.len()
+        };
+        if !is_gone {
+            kept.push_str(line);
+        }
+        rest = &rest[length..];
+    }
+    kept
+}
+
 /// A function with a body.
 struct Function<'a> {
     name: &'a str,
@@ -116,5 +158,20 @@ mod tests {
     fn kernels_are_named_that_reach_a_function() {
         assert_eq!(reaching(TEXT, &["panics".to_owned()]), ["bad", "worse"]);
         assert!(reaching(TEXT, &["malloc".to_owned()]).is_empty());
+    }
+
+    #[test]
+    fn functions_that_no_kernel_calls_are_left_out() {
+        let idle = TEXT.split(".visible .entry bad").next().unwrap();
+        let text =
+            format!("{idle}.func handler()\n{{\n\tcall.uni panics, ();\n}}\n.func kept()\n{{\n\tret;\n}}\n");
+        let names = ["panics".to_owned()];
+        assert!(reaching(&text, &names).is_empty());
+        let kept = without(&text, &names);
+        assert!(!kept.contains("panics") && !kept.contains("handler"), "{kept}");
+        for function in [".func inner(", ".visible .entry good(", ".func kept()"] {
+            assert!(kept.contains(function), "{kept}");
+        }
+        assert_eq!(kept.matches('{').count(), 2);
     }
 }

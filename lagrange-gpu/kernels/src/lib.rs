@@ -16,7 +16,7 @@ use lagrangian::FixedStep;
 use lagrangian::prelude::*;
 
 #[cfg(feature = "contacts")]
-pub use contacts::{Belt, Puck, belt, puck, puck_apex, puck_steps};
+pub use contacts::{Bearing, Belt, Puck, Stone, bearing, belt, puck, puck_apex, puck_steps, stone};
 pub use systems::{CartPole, DoublePendulum, FourBar, Kepler, Links};
 
 /// Gravitational acceleration \[m/s²].

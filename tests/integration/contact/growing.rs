@@ -296,7 +296,7 @@ impl Plate {
 
     fn slip(&self, q: &Coordinates, v: &Velocities, x: f64, y: f64) -> Vector2<f64> {
         let foot = Vector2::new(q.x, q.y) + Rotation2::new(q.phi) * Vector2::new(x, y);
-        self.body_velocity(q, v).at(foot.into())
+        self.body_velocity(q, v).at(foot)
     }
 
     #[friction(limit = 2.45)]
