@@ -106,7 +106,7 @@ where
                 (known.closed, known.settled) = (scene.is_closed, true);
                 last = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &last;
-                choice = scene.choose(present, known.fired)?;
+                choice = scene.choose(&scene.touching(present), known.fired)?;
             }
             for (seen, &now) in scales.reactions.iter_mut().zip(&choice.multipliers) {
                 *seen = most(*seen, now.abs());
