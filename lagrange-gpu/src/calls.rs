@@ -1,76 +1,57 @@
 //! Who calls what in PTX: the kernels that reach a function.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 use crate::ptx::{is_of_a_name, name};
 
 /// The kernels that call one of these functions, or call what calls it, in the order of the text.
 pub fn reaching(text: &str, names: &[String]) -> Vec<String> {
     let functions = functions(text);
-    let known: HashSet<&str> = functions.iter().map(|function| function.name).collect();
-    let calls: HashMap<&str, HashSet<&str>> = functions
-        .iter()
-        .map(|function| {
-            let words = function.body.split(|c: char| !is_of_a_name(c));
-            let called = words.filter(|word| known.contains(word) || names.iter().any(|name| name == word));
-            (function.name, called.collect())
-        })
-        .collect();
-    let reaches = |kernel: &str| {
-        let (mut seen, mut next) = (HashSet::from([kernel]), vec![kernel]);
-        while let Some(function) = next.pop() {
-            if names.iter().any(|name| name == function) {
-                return true;
-            }
-            let called = calls.get(function).into_iter().flatten();
-            next.extend(called.filter(|called| seen.insert(called)));
-        }
-        false
-    };
-    let kernels = functions.iter().filter(|function| function.is_kernel && reaches(function.name));
+    let callers = callers(&functions, names);
+    let kernels = functions.iter().filter(|function| function.is_kernel && function.calls(&callers));
     kernels.map(|function| function.name.to_owned()).collect()
 }
 
 /// The text without these functions, and without what calls them: for functions that no kernel reaches. The
 /// compiler may find so late that a check never fails that the function which would report it stays.
 pub fn without(text: &str, names: &[String]) -> String {
-    let functions = functions(text);
-    let mut gone: HashSet<&str> = names.iter().map(String::as_str).collect();
-    loop {
-        let calls = |function: &&Function<'_>| {
-            let mut words = function.body.split(|c: char| !is_of_a_name(c));
-            !function.is_kernel && !gone.contains(function.name) && words.any(|word| gone.contains(word))
-        };
-        let more: Vec<_> = functions.iter().filter(calls).map(|function| function.name).collect();
-        if more.is_empty() {
-            break;
-        }
-        gone.extend(more);
-    }
+    let gone = callers(&functions(text), names);
     let mut kept = String::with_capacity(text.len());
     let mut rest = text;
-    while !rest.is_empty() {
-        let line = rest.split_inclusive('\n').next().unwrap_or(rest);
-        let declared = [".extern .func", ".func"].into_iter().find_map(|kind| line.strip_prefix(kind));
-        let is_gone = declared.is_some_and(|_| {
-            let start = rest.find(".func").map_or(rest, |at| &rest[at + ".func".len()..]);
-            name(start).is_some_and(|name| gone.contains(name))
-        });
-        let length = if !is_gone {
-            line.len()
-        } else if let Some(open) = rest.find(['{', ';']) {
-            let last =
-                if rest[open..].starts_with('{') { rest.find("\n}").map(|at| at + 1) } else { Some(open) };
-            last.map_or(rest.len(), |last| last + 1)
-        } else {
-            rest.len()
-        };
+    while let Some(line) = rest.split_inclusive('\n').next() {
+        let head = line.strip_prefix(".extern ").unwrap_or(line).strip_prefix(".func");
+        let is_gone = head.and_then(name).is_some_and(|name| gone.contains(name));
+        let length = if is_gone { extent(rest) } else { line.len() };
         if !is_gone {
             kept.push_str(line);
         }
-        rest = &rest[length..];
+        rest = rest.get(length..).unwrap_or_default();
     }
     kept
+}
+
+/// These functions and all that call them, without kernels.
+fn callers<'a>(functions: &[Function<'a>], names: &'a [String]) -> HashSet<&'a str> {
+    let mut callers: HashSet<&str> = names.iter().map(String::as_str).collect();
+    loop {
+        let is_new = |function: &&Function<'a>| !function.is_kernel && !callers.contains(function.name);
+        let new = functions.iter().filter(is_new).filter(|function| function.calls(&callers));
+        let new: Vec<_> = new.map(|function| function.name).collect();
+        if new.is_empty() {
+            return callers;
+        }
+        callers.extend(new);
+    }
+}
+
+/// The length of the declaration or function at the beginning of a text: a body reaches to a brace at the
+/// beginning of a line.
+fn extent(text: &str) -> usize {
+    let last = match text.find(['{', ';']) {
+        Some(open) if text[open..].starts_with('{') => text.find("\n}").map(|end| end + 1),
+        declared => declared,
+    };
+    last.map_or(text.len(), |last| last + 1)
 }
 
 /// A function with a body.
@@ -80,7 +61,14 @@ struct Function<'a> {
     body: &'a str,
 }
 
-/// The functions of a text: each one's body reaches to a brace at the beginning of a line.
+impl Function<'_> {
+    /// Whether it calls one of these.
+    fn calls(&self, names: &HashSet<&str>) -> bool {
+        self.body.split(|c: char| !is_of_a_name(c)).any(|word| names.contains(word))
+    }
+}
+
+/// The functions of a text that have a body.
 fn functions(text: &str) -> Vec<Function<'_>> {
     let mut functions = Vec::new();
     let mut at = 0;
@@ -94,11 +82,10 @@ fn functions(text: &str) -> Vec<Function<'_>> {
             && rest[open..].starts_with('{')
             && let Some(name) = name(&rest[kind.len()..open])
         {
-            let end = rest.find("\n}").unwrap_or(rest.len());
             functions.push(Function {
                 name,
                 is_kernel: kind == ".visible .entry",
-                body: rest.get(open..end).unwrap_or_default(),
+                body: rest.get(open..extent(rest)).unwrap_or_default(),
             });
         }
         if at >= text.len() {

@@ -169,7 +169,8 @@ mod tests {
     #[test]
     fn kernels_that_can_panic_are_refused() {
         let text = format!(
-            "{}.extern .func this_kernel_can_panic\n()\n;\n.extern .func (.param .b64 result) malloc\n(\n)\n;\n",
+            "{}.extern .func this_kernel_can_panic\n()\n;\n\
+             .extern .func (.param .b64 result) malloc\n(\n)\n;\n",
             KERNELS.replace("\tret;", "\tcall.uni malloc, ();\n\tret;")
         );
         let names = match Ptx::new(text) {

@@ -146,8 +146,9 @@ impl fmt::Display for EquilibriumError {
             ),
             Self::TurningConstraint { constraint, name } => write!(
                 out,
-                "no equilibrium can be told: constraint {constraint} turns with time and drives what it holds; use coordinates that \
-                 move along, or ask `stationary_point` for a balance of forces and `variational().monodromy` for its stability",
+                "no equilibrium can be told: constraint {constraint} turns with time and drives what it \
+                 holds; use coordinates that move along, or ask `stationary_point` for a balance of forces \
+                 and `variational().monodromy` for its stability",
                 constraint = Part(*constraint, *name)
             ),
             Self::Unbalanced { coordinate, name, force } => write!(

@@ -48,6 +48,8 @@ pub struct Batch<'a, S: Smooth<N, K>, const N: usize, const K: usize = 0> {
     strongest: [S::Scalar; N],
     /// How independent constraints are at the states; zero before the first step.
     least: S::Scalar,
+    /// The largest ratio of successive terms at the tolerance of the last call.
+    steepest: <S::Scalar as Real>::Lane,
 }
 
 impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
@@ -73,6 +75,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
             last: zero,
             strongest: [zero; N],
             least: zero,
+            steepest: num_traits::One::one(),
         }
     }
 
@@ -145,6 +148,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         }
         let target = S::Scalar::splat(t);
         let orders = orders(self.tolerance, ORDERS_PER_DIGIT);
+        self.steepest = steepest(self.tolerance, orders);
         let resolution = number(4.0) * S::Scalar::epsilon() * target.abs().max(self.state.t.abs());
         let mut attempts = self.attempts;
         loop {
@@ -229,8 +233,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
 
     #[inline]
     fn tolerated(&self, orders: usize, span: S::Scalar) -> S::Scalar {
-        let [last_term, steepest] =
-            [last_term(self.tolerance), steepest(self.tolerance, orders)].each(S::Scalar::splat);
+        let [last_term, steepest] = [last_term(self.tolerance), self.steepest].each(S::Scalar::splat);
         // Far below any other number, but not zero.
         let bounds = [last_term, S::Scalar::epsilon().powi(4)];
         tolerated::<S, N, K>(&self.state, &self.series, bounds, steepest, orders, span)

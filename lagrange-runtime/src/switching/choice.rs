@@ -251,13 +251,13 @@ where
             let reaction = entry(&trial.multipliers, row);
             let slack = part * scale(row);
             let rate = self.rate(row, &trial.accelerations);
-            let own = self.gradients.get(row).map_or(zero, |own| extent(own, &sizes.accelerations));
+            let own = self.extent_of(row, &sizes.accelerations);
             let play = part * (own + entry(&self.gamma, row).abs());
             // Rows that depend on each other may demand contradictory things. Where nothing pulls,
             // accelerations are rounding errors; those that friction could prevent are the measure of them.
-            let prevented = match kind {
-                Row::Friction { normal, .. } => {
-                    self.limit(row, *normal, &trial.multipliers).abs() * self.mobility(row)
+            let prevented = match (kind, self.gradients.get(row)) {
+                (Row::Friction { normal, .. }, Some(own)) if trial.regime.active[row] => {
+                    self.limit(row, *normal, &trial.multipliers).abs() * self.effect(row, own)
                 }
                 _ => zero,
             };
@@ -300,13 +300,6 @@ where
             }
         }
         Ok(())
-    }
-
-    /// The acceleration of a row by a force of one along it alone.
-    fn mobility(&self, row: usize) -> S::Scalar {
-        let Some(gradient) = self.gradients.get(row) else { return num_traits::Zero::zero() };
-        let by_unit: [S::Scalar; N] = array(|i| gradient[i] * self.units[i]);
-        product(&by_unit, &by_unit)
     }
 
     /// The largest force of a friction that sticks, in the direction of its force.

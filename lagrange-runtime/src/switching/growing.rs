@@ -85,7 +85,7 @@ where
     ) -> Result<Grown<S::Scalar, N, C, W>, Not<S::Scalar, C, W>> {
         let number = S::Scalar::from_f64;
         // The cube root of what velocities lose anyway.
-        let wanted = (self.lost.ln() / number(3.0)).exp();
+        let wanted = (self.lost.part(0).ln() / number(3.0)).exp();
         let most_of =
             |parts: &[S::Scalar; C]| parts.iter().fold(num_traits::Zero::zero(), |a, &b| most(a, b));
         let mut later = self.instant();
@@ -133,7 +133,7 @@ where
     /// A time that rounding hardly resolves \[s].
     fn instant(&self) -> S::Scalar {
         let ulp = S::Scalar::epsilon();
-        S::Scalar::from_f64(FACTOR) * ulp * self.state.t.abs() + ulp.powi(4)
+        S::Scalar::from_f64(FACTOR) * ulp * self.state.t.part(0).abs() + ulp.powi(4)
     }
 
     /// The acceleration of a slip, as a part of what the forces could give it.
@@ -141,7 +141,8 @@ where
         let [x, y] = rows.each(|row| self.rate(row, &choice.accelerations));
         let [a, b] = rows.each(|row| self.extent_of(row, &choice.sizes.accelerations));
         let size = most(a, b);
-        if size.is_positive() { x.hypot(y) / size } else { num_traits::Zero::zero() }
+        // A number alone: the time that follows from it has no variation.
+        if size.is_positive() { (x.hypot(y) / size).part(0) } else { num_traits::Zero::zero() }
     }
 
     /// The motion after a time \[s], with the accelerations `a` now.

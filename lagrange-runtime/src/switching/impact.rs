@@ -336,12 +336,8 @@ where
     ) -> Result<(), usize> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let mut sizes = [zero; N];
-        let impulses = strike.impulses.iter().zip(&demand.given);
-        for (gradient, (&found, &given)) in self.gradients.iter().zip(impulses) {
-            for (size, &entry) in sizes.iter_mut().zip(gradient) {
-                *size += (entry * found).abs() + (entry * given).abs();
-            }
-        }
+        self.load(&strike.impulses, &mut sizes);
+        self.load(&demand.given, &mut sizes);
         for (row, kind) in S::ROWS.iter().enumerate() {
             let gradient = &self.gradients[row];
             let before = self.laws.rows.rates[row];
@@ -356,8 +352,7 @@ where
             let wanted = self.wanted(row, &demand.restitution);
             let asked = strike.active[row] && *kind != Row::Bilateral;
             // What single impulses do to its rate is the measure where all rates are roundings.
-            let single = (0..N)
-                .fold(zero, |sum, i| sum + (gradient[i] * self.units[i] * self.units[i] * sizes[i]).abs());
+            let single = self.effect(row, &sizes);
             let inexact =
                 S::Scalar::epsilon().sqrt() * (wanted.abs() + change.abs() + self.speeds[row] + single);
             if asked && above((change - wanted).abs(), inexact) {

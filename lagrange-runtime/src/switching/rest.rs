@@ -65,14 +65,19 @@ where
         extent(gradient, &by_size)
     }
 
+    /// Adds the sizes of the forces or impulses of rows to those of coordinates.
+    pub(super) fn load(&self, multipliers: &[S::Scalar; C], sizes: &mut [S::Scalar; N]) {
+        for (gradient, &multiplier) in self.gradients.iter().zip(multipliers) {
+            for (size, &entry) in sizes.iter_mut().zip(gradient) {
+                *size += (entry * multiplier).abs();
+            }
+        }
+    }
+
     /// The slips that an impact has left with nothing but rounding errors of its impulses.
     pub(super) fn stopped(&self, v: &[S::Scalar; N], impulses: &[S::Scalar; C]) -> [bool; C] {
         let mut sizes = [num_traits::Zero::zero(); N];
-        for (gradient, &impulse) in self.gradients.iter().zip(impulses) {
-            for (size, &entry) in sizes.iter_mut().zip(gradient) {
-                *size += (entry * impulse).abs();
-            }
-        }
+        self.load(impulses, &mut sizes);
         array(|row| {
             let Some(Row::Friction { pair, .. }) = S::ROWS.get(row) else { return false };
             let of = |row: usize| entry(&self.laws.rows.rates, row) + self.change(row, v);

@@ -94,8 +94,12 @@ where
             }
             // A body that begins or lands rests on all its feet: each contact that touches bears, if only
             // nothing.
-            let touching = scene.touching(present);
-            let present = if self.memory.is_fresh || known.settled { &touching } else { present };
+            let touching;
+            let mut present = present;
+            if self.memory.is_fresh || known.settled {
+                touching = scene.touching(present);
+                present = &touching;
+            }
             let mut choice = scene.choose(present, known.fired)?;
             if let Some((v, more)) = scene.gathered(&choice.accelerations, scales, self.limits.relative) {
                 if S::Scalar::PARTS > 1 {
@@ -115,12 +119,12 @@ where
             // The time of a state is a number alone: its variation is in `late`.
             state.t = state.t.part(0);
             if let Some(grown) = scene.grown(&choice, scales) {
-                shift(state, &choice.accelerations, late);
-                let later = grown.later.part(0);
-                state.t += later;
                 let [gain_q, gain_v] = grown.gain;
+                state.t += grown.later;
                 state.q = array(|i| state.q[i] + gain_q[i]);
                 state.v = array(|i| state.v[i] + gain_v[i]);
+                // Where the time of the event varies, that at the end of the way does.
+                shift(state, &grown.way[0], late);
                 self.memory.way = grown.way;
                 choice.regime = grown.regime;
             } else if choice.later.is_positive() {

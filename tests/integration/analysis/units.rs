@@ -82,6 +82,19 @@ fn searched<R: Real + PartialOrd>([length, mass, time]: [f64; 3]) -> [Found<R>; 
     [ring.equilibrium(guess, &[]), ring.stationary_point(guess, &[])]
 }
 
+/// Compares an equilibrium with that in other units, relative to the unit of length.
+fn agrees<R: Copy + Into<f64>>(
+    found: &Equilibrium<R, 3, 1>,
+    wanted: &Equilibrium<f64, 3, 1>,
+    units: [f64; 3],
+    error: f64,
+) {
+    assert_eq!((found.stability, found.is_isolated), (wanted.stability, wanted.is_isolated), "{units:?}");
+    for (found, wanted) in found.state.q.into_iter().zip(wanted.state.q) {
+        close(found.into() / units[0], wanted, error);
+    }
+}
+
 /// Numbers between zero and one.
 fn chance() -> impl FnMut() -> f64 {
     let mut seed = 1_u64;
@@ -98,15 +111,7 @@ fn units_change_no_equilibrium() {
     for _ in 0..300 {
         let units = [0; 3].map(|_| 10.0_f64.powf(24.0 * next() - 12.0));
         for (found, wanted) in searched::<f64>(units).into_iter().zip(&wanted) {
-            let found = found.unwrap();
-            assert_eq!(
-                (found.stability, found.is_isolated),
-                (wanted.stability, wanted.is_isolated),
-                "{units:?}"
-            );
-            for (found, wanted) in found.state.q.into_iter().zip(wanted.state.q) {
-                close(found / units[0], wanted, 1e-14);
-            }
+            agrees(&found.unwrap(), wanted, units, 1e-14);
         }
     }
 }
@@ -127,15 +132,7 @@ fn units_change_no_equilibrium_in_single_precision() {
         }
         count += 1;
         for (found, wanted) in searched::<f32>(units).into_iter().zip(&wanted) {
-            let found = found.unwrap();
-            assert_eq!(
-                (found.stability, found.is_isolated),
-                (wanted.stability, wanted.is_isolated),
-                "{units:?}"
-            );
-            for (found, wanted) in found.state.q.into_iter().zip(wanted.state.q) {
-                close(f64::from(found) / length, wanted, 1e-5);
-            }
+            agrees(&found.unwrap(), wanted, units, 1e-5);
         }
     }
 }

@@ -9,17 +9,19 @@ use crate::support::close::{all_close, close, close_on};
 struct Pushed {
     angle: f64,
     turn: f64,
-    fixed: f64,
+    limit: f64,
+    /// What friction holds more while it sticks \[N].
+    more: f64,
 }
 
-#[lagrangian(coordinates = [x, y])]
+#[lagrangian(coordinates = [x, y], sensitivities = [self.limit, self.angle])]
 impl Pushed {
     #[point(mass = 2.0)]
     fn block(&self, q: &Coordinates) -> Vector2<f64> {
         Vector2::new(q.x, q.y)
     }
 
-    #[friction(limit = 3.0, static_limit = self.fixed)]
+    #[friction(limit = self.limit, static_limit = self.limit + self.more)]
     fn slip(&self, v: &Velocities) -> Vector2<f64> {
         Vector2::new(v.x, v.y)
     }
@@ -46,7 +48,7 @@ fn a_block_breaks_away_under_a_growing_push() {
     for k in 0..24 {
         let angle = 0.3 * f64::from(k);
         for (tolerance, error) in [(1e-6, 1e-5), (1e-10, 1e-9), (1e-14, 1e-11)] {
-            let (t, v) = Pushed { angle, turn: 0.0, fixed: 3.0 }.ends(tolerance, 5.0);
+            let (t, v) = Pushed { angle, turn: 0.0, limit: 3.0, more: 0.0 }.ends(tolerance, 5.0);
             close(t, 3.0, 1e-13);
             // m v = ∫ (t − 3) dt from 3 to 5.
             all_close(v, [angle.cos(), angle.sin()], error);
@@ -61,7 +63,7 @@ fn a_push_that_turns_takes_the_slip_along() {
     let references = [(0.1, [0.6871610783115, 0.7257697701797]), (1.0, [-0.6613094369422, 0.6798155872642])];
     for (turn, reference) in references {
         for (tolerance, error) in [(1e-8, 1e-7), (1e-14, 2e-12)] {
-            let (_, v) = Pushed { angle, turn, fixed: 3.0 }.ends(tolerance, 5.0);
+            let (_, v) = Pushed { angle, turn, limit: 3.0, more: 0.0 }.ends(tolerance, 5.0);
             all_close(v, reference, error);
         }
     }
@@ -70,11 +72,37 @@ fn a_push_that_turns_takes_the_slip_along() {
 #[test]
 fn friction_that_holds_more_lets_go_with_a_jerk() {
     for angle in [0.0, 0.7, 2.0] {
-        let (t, v) = Pushed { angle, turn: 0.0, fixed: 4.0 }.ends(TIGHT, 5.0);
+        let (t, v) = Pushed { angle, turn: 0.0, limit: 3.0, more: 1.0 }.ends(TIGHT, 5.0);
         close(t, 4.0, 1e-13);
         // m v = ∫ (t − 3) dt from 4 to 5.
         all_close(v, [0.75 * angle.cos(), 0.75 * angle.sin()], 1e-11);
     }
+}
+
+#[test]
+fn derivatives_go_through_the_break_away() {
+    for angle in [0.0, 0.6, 2.0] {
+        let block = Pushed { angle, turn: 0.0, limit: 3.0, more: 0.0 };
+        let varied = block.variational();
+        let mut motion = varied.motion(State::at_rest([0.0; 2])).unwrap();
+        let end = motion.advance_to(5.0).unwrap();
+        // m v = (5 − limit)²/2 along the push.
+        let (along, across) = ([angle.cos(), angle.sin()], [-angle.sin(), angle.cos()]);
+        all_close([0, 1].map(|i| end.v_by_p[(i, 0)]), along.map(|x| -x), 1e-10);
+        all_close([0, 1].map(|i| end.v_by_p[(i, 1)]), across, 1e-10);
+    }
+    // A push that turns: against motions beside it.
+    let at = |limit: f64| {
+        let block = Pushed { angle: 0.6, turn: 0.5, limit, more: 0.0 };
+        block.simulate(State::at_rest([0.0; 2])).with_tolerance(1e-13).advance_to(5.0).unwrap().v
+    };
+    let (step, block) = (1e-4, Pushed { angle: 0.6, turn: 0.5, limit: 3.0, more: 0.0 });
+    let varied = block.variational();
+    let mut motion = varied.motion(State::at_rest([0.0; 2])).unwrap();
+    let end = motion.advance_to(5.0).unwrap();
+    let (above, below) = (at(3.0 + step), at(3.0 - step));
+    let slopes = [0, 1].map(|i| (above[i] - below[i]) / (2.0 * step));
+    all_close([0, 1].map(|i| end.v_by_p[(i, 0)]), slopes, 1e-8);
 }
 
 /// Two blocks that know nothing of each other.

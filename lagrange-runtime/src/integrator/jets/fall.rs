@@ -16,7 +16,7 @@ use crate::series::HIGHEST;
 use super::last_term;
 
 /// The ratio of successive terms that the first rule allows at least.
-pub(crate) const STEEPEST: f64 = 6.0;
+const STEEPEST: f64 = 6.0;
 
 /// The largest ratio of successive terms of a series that counts as decay: 1.5 times the decay that
 /// tolerance and order demand. That is [`STEEPEST`], unless [`HIGHEST`] leaves fewer orders per digit, as

@@ -45,8 +45,9 @@ impl fmt::Display for Cause {
             ),
             Self::TurningConstraint { constraint, name } => write!(
                 out,
-                "constraint {constraint} turns with time, so small deviations have no linear equations with constant coefficients: \
-                 use coordinates that move along, or ask `variational().monodromy` over a period",
+                "constraint {constraint} turns with time, so small deviations have no linear equations with \
+                 constant coefficients: use coordinates that move along, or ask `variational().monodromy` \
+                 over a period",
                 constraint = Part(*constraint, *name)
             ),
             // The message comes with the name, so that a program that cannot need it does not contain it.
