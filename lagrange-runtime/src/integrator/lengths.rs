@@ -3,7 +3,7 @@
 use super::landing::{Check, Determined, Landing};
 use crate::linear::{Independence, determined};
 use crate::number::elements::Each;
-use crate::number::real::{Ordered, larger, smaller};
+use crate::number::real::{Ordered, Real, larger};
 use crate::system::System;
 use crate::system::error::Cause;
 
@@ -67,14 +67,23 @@ pub(crate) struct Lengths<R> {
     best: Option<(R, R)>,
 }
 
+/// The independence σ of constraints that is enough at the end of a step which `begun` with another one.
+///
+/// Roundings move a velocity by ε/σ². So an end is good enough where that is the tolerance, or where half is
+/// left of what the step started with.
+#[inline]
+pub(crate) fn enough<R: Real>(begun: R, tolerance: R) -> R {
+    let by_tolerance = (R::epsilon() / tolerance.max(R::epsilon())).sqrt().min(R::one());
+    (R::from_f64(0.5) * begun).min(by_tolerance.max(determined()))
+}
+
 impl<R: Ordered> Lengths<R> {
     /// The lengths for a step of a `measured` error that begins with `here`, at a tolerance. `base` is tried
     /// first.
     ///
-    /// Roundings move a velocity by ε/σ², with the independence σ of the constraints. So an end is good
-    /// enough where that is the tolerance, or where half is left of what the step started with; and one
-    /// that leaves the configuration in which constraints depend on each other is better than any before
-    /// it. Where no length ends so well, the best is taken.
+    /// An end is good enough where [`enough`] says so; and one that leaves the configuration in which
+    /// constraints depend on each other is better than any before it. Where no length ends so well, the best
+    /// is taken.
     pub(crate) fn new(
         determined: Determined<R>,
         here: &Independence<R>,
@@ -103,11 +112,7 @@ impl<R: Ordered> Lengths<R> {
 
     /// Whether constraints are independent enough at an end.
     fn is_enough(&self, there: &Independence<R>) -> bool {
-        if there.least >= R::from_f64(0.5) * self.begun {
-            return true;
-        }
-        let by_tolerance = smaller((R::epsilon() / larger(self.tolerance, R::epsilon())).sqrt(), R::one());
-        there.least >= larger(determined(), by_tolerance)
+        there.least >= enough(self.begun, self.tolerance)
     }
 
     /// The verdict on a step of this length that has `landed`.

@@ -194,17 +194,18 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
             }
             let mut natural = tolerated.min(near) * self.unit;
             if S::STEEP {
-                natural = probe::restrained(natural, self.last, left.abs());
+                // Lanes that have arrived keep their unit.
+                natural = probe::restrained(natural, self.last, left.abs()).where_positive(missing, natural);
             }
             let mut length = natural.min(left.abs());
             if S::STEEP {
-                length = self.probed(length, orders, direction, left.abs(), resolution)?;
+                length = self.probed(length, orders, direction, left.abs(), [missing, resolution])?;
             }
             if missing.min(resolution - length).largest() > zero {
                 return Err(Cause::StepTooSmall);
             }
             if S::CONSTRAINED {
-                length = self.land(length, orders, direction, resolution)?;
+                length = self.land(length, orders, direction, [missing, resolution])?;
             } else {
                 (self.state, self.residue) = self.reached(direction * length, length / self.unit, orders)?;
             }
@@ -212,7 +213,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
                 let zero = [num_traits::Zero::zero(); N];
                 (self.state, self.residue) = (settled, State { t: self.residue.t, q: zero, v: zero });
             }
-            self.last = length.max(number(1e-3) * self.last);
+            self.last = length.max(number(1e-3) * self.last).where_positive(missing, self.last);
             self.unit = natural;
         }
     }
@@ -239,7 +240,8 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         tolerated::<S, N, K>(&self.state, &self.series, bounds, steepest, orders, span)
     }
 
-    /// A length at which every lane obeys the equations of motion.
+    /// A length at which every lane obeys the equations of motion. `missing` is positive in lanes that have
+    /// not arrived; the others have steps of no length.
     #[cold]
     fn probed(
         &mut self,
@@ -247,7 +249,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         orders: usize,
         direction: S::Scalar,
         left: S::Scalar,
-        resolution: S::Scalar,
+        [missing, resolution]: [S::Scalar; 2],
     ) -> Result<S::Scalar, Cause> {
         let constants = self.system.constants();
         let mut strongest = self.strongest;
@@ -270,7 +272,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         }
         while !probe.agrees(length / self.unit, &mut strongest) {
             length *= S::Scalar::from_f64(0.5);
-            if (resolution - length).largest() >= num_traits::Zero::zero() {
+            if missing.min(resolution - length).largest() > num_traits::Zero::zero() {
                 return Err(Cause::StepTooSmall);
             }
         }

@@ -1,11 +1,13 @@
 //! The end of a step of a constrained batch: on the constraints, lane by lane, at a state that can be checked
 //! and from which the motion goes on well.
 
+use core::iter::once;
+
 use super::Batch;
 use crate::integrator::dop853::add;
 use crate::integrator::landing::NOISE;
 use crate::integrator::landing::energy::{blurred, energy};
-use crate::integrator::lengths::PARTS;
+use crate::integrator::lengths::{PARTS, enough};
 use crate::linear::determined;
 use crate::number::elements::Each;
 use crate::number::real::Real;
@@ -21,23 +23,25 @@ const HALF: f64 = 0.5;
 /// A state and its residue of rounding.
 type Reached<R, const N: usize> = (State<R, N>, State<R, N>);
 
-/// A state, its residue of rounding, and a measure of its error: positive in lanes that have to take another
-/// length.
+/// The end of a step.
 struct Landing<R, const N: usize> {
     state: State<R, N>,
     residue: State<R, N>,
+    /// How independent constraints are there.
     least: R,
-    excess: R,
+    /// The energy that was lost beyond the tolerance; positive in lanes that have to take another length.
+    lost: R,
 }
 
 impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
     /// Goes on by `length` \[s], without direction, or by other lengths in lanes where that one ends badly.
+    /// `missing` is positive in lanes that have not arrived; the others have steps of no length.
     pub(super) fn land(
         &mut self,
         mut length: S::Scalar,
         orders: usize,
         direction: S::Scalar,
-        resolution: S::Scalar,
+        [missing, resolution]: [S::Scalar; 2],
     ) -> Result<S::Scalar, Cause> {
         let constants = self.system.constants();
         if !self.least.is_positive() {
@@ -45,24 +49,35 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
             self.least = here.independence.least.max(S::Scalar::epsilon());
         }
         let natural = length;
-        let mut parts = PARTS.iter();
+        // Ends that are good enough come first, and then any at which the state is determined.
+        let wanted = [enough(self.least, S::Scalar::splat(self.tolerance)), self.least.min(determined())];
+        let mut tries =
+            wanted.into_iter().flat_map(|least| once(1.0).chain(PARTS).map(move |part| (part, least)));
+        let (_, mut wanted) = tries.next().unwrap_or((1.0, wanted[1]));
         loop {
             let landing = self.landing(&constants, direction * length, length / self.unit, orders);
             let (excess, cause) = match landing {
-                Ok(landing) if landing.excess.largest() <= num_traits::Zero::zero() => {
-                    (self.state, self.residue, self.least) = (landing.state, landing.residue, landing.least);
-                    return Ok(length);
+                Ok(landing) => {
+                    let excess = landing.lost.max(wanted - landing.least);
+                    if excess.largest() <= num_traits::Zero::zero() {
+                        (self.state, self.residue, self.least) =
+                            (landing.state, landing.residue, landing.least);
+                        return Ok(length);
+                    }
+                    (excess, Cause::StepTooSmall)
                 }
-                Ok(landing) => (landing.excess, Cause::StepTooSmall),
                 // The error does not tell which lane it is.
                 Err(cause) => (num_traits::One::one(), cause),
             };
-            let other = match parts.next() {
-                Some(&part) => S::Scalar::from_f64(part) * natural,
+            let other = match tries.next() {
+                Some((part, least)) => {
+                    wanted = least;
+                    S::Scalar::from_f64(part) * natural
+                }
                 None => S::Scalar::from_f64(HALF) * length,
             };
-            length = chosen(excess, other, length);
-            if (resolution - length).largest() >= num_traits::Zero::zero() {
+            length = other.where_positive(excess, length);
+            if missing.min(resolution - length).largest() > num_traits::Zero::zero() {
                 return Err(cause);
             }
         }
@@ -89,14 +104,11 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
             }
         }
         let least = footing.independence.least;
-        // A step ends where constraints determine the state as well as where it began, or well.
-        let closer = self.least.min(determined()) - least;
         let lost = lost(self.system, constants, [&self.state, &state], &footing.metric, self.tolerance);
-        let excess = closer.max(lost);
-        if !excess.is_finite() {
+        if !(least.is_finite() && lost.is_finite()) {
             return Err(Cause::NotFinite);
         }
-        Ok(Landing { state, residue, least, excess })
+        Ok(Landing { state, residue, least, lost })
     }
 
     /// The state after `h` \[s], which are `theta` units, by the series, and its residue of rounding.
@@ -142,10 +154,4 @@ pub(super) fn lost<S: System<N, K>, const N: usize, const K: usize>(
     let own = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon() * here.abs();
     // The lanes that need the second bound.
     (change - own - blurred(system, constants, end, [q, v])).where_positive(by_speed, by_speed)
-}
-
-/// `bad` in lanes where `excess` is positive, else `good`.
-fn chosen<R: Real>(excess: R, bad: R, good: R) -> R {
-    let (half, sign) = (R::from_f64(0.5), excess.signum());
-    half * ((R::one() + sign) * bad + (R::one() - sign) * good)
 }
