@@ -225,8 +225,9 @@ fn kepler_ellipse() {
 }
 
 /// Chaos: a change of the start by 1e-22 has grown to 7e-19 of a velocity, so one rounding is 3.5e-28 there
-/// and 1e-28 of the other numbers. Doubles are right to 2e-12. By extrapolation with 50 digits:
-/// `data/motions.py`.
+/// and 1e-28 of the other numbers. Each of 700 steps adds roundings: of 60 starts beside this one the median
+/// error is 0.3 of that rounding and the largest four, with steps half as long, too. Doubles are right to
+/// 2e-12. By extrapolation with 50 digits: `data/motions.py`.
 #[test]
 fn double_pendulum() {
     let start = State::at_rest([number("2"), number("2")]);
@@ -237,7 +238,7 @@ fn double_pendulum() {
         "-4.897969663163112078753658261787229001054",
     ];
     let error = deviation(&DoublePendulum { length: number("1") }, start, (10, "1e-32"), &reference);
-    assert!(error < 3.5e-28, "{error:e}");
+    assert!(error < 4.0 * 3.5e-28, "{error:e}");
 }
 
 /// A pendulum in Cartesian coordinates, held by a constraint, against elliptic functions: `data/motions.py`.

@@ -45,6 +45,10 @@ impl<'a> Interpreter<'a> {
             (_, Value::Choice(a), Value::Choice(b)) => {
                 // That both fail, or both hold; otherwise the first decides, or else the second.
                 let [not_a, not_b] = [a, b].map(|weight| self.opposite(weight));
+                // The second is asked for where the first does not decide.
+                let asked = if operator == BinaryOperator::And { [a, not_a] } else { [not_a, a] };
+                let guarded = self.sides.guarded(&mut self.model.graph, &[b, not_b], asked);
+                let [b, not_b] = [guarded[0], guarded[1]];
                 let all =
                     if operator == BinaryOperator::And { [a, b, not_a, not_b] } else { [not_a, not_b, a, b] };
                 let [first, second, not_first, not_second] = all;
@@ -65,6 +69,16 @@ impl<'a> Interpreter<'a> {
         }
     }
 
+    /// Begins a side of an `if`, or the second of two conditions.
+    pub fn enter_side(&mut self) {
+        self.sides.enter(self.model.graph.len());
+    }
+
+    /// Ends it.
+    pub fn leave_side(&mut self) {
+        self.sides.leave(self.model.graph.len());
+    }
+
     /// The opposite of a condition.
     pub fn opposite(&mut self, weight: NodeId) -> NodeId {
         self.opposites.get(&weight).copied().unwrap_or_else(|| {
@@ -77,14 +91,18 @@ impl<'a> Interpreter<'a> {
     pub fn chosen(&mut self, branch: &'a If, weight: NodeId) -> Value {
         let origin = branch.condition.origin;
         let before = self.scope.values();
+        self.enter_side();
         let then = self.block(&branch.then);
+        self.leave_side();
         let is_through = matches!(self.flow, Flow::Next);
         let after_then = self.scope.values();
         self.scope.restore(before);
+        self.enter_side();
         let otherwise = match &branch.otherwise {
             Some(otherwise) if is_through => self.expression(otherwise),
             _ => Value::Unit,
         };
+        self.leave_side();
         if !matches!(self.flow, Flow::Next) {
             self.flow = Flow::Next;
             return self.refuse(origin, catalogue::leaving_choice());
@@ -110,10 +128,12 @@ impl<'a> Interpreter<'a> {
         }
         let mix = |this: &mut Self, a: &[NodeId], b: &[NodeId]| -> Rc<[NodeId]> {
             let rest = this.opposite(weight);
-            let graph = this.graph();
-            a.iter()
+            let graph = &mut this.model.graph;
+            let a = this.sides.guarded(graph, a, [weight, rest]);
+            let b = this.sides.guarded(graph, b, [rest, weight]);
+            a.into_iter()
                 .zip(b)
-                .map(|(&a, &b)| {
+                .map(|(a, b)| {
                     let (a, b) = (graph.mul(weight, a), graph.mul(rest, b));
                     graph.add(a, b)
                 })

@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use super::coordinates;
+use super::guarded::Sides;
 use super::parameter::Parameters;
 use super::rounded::Rounded;
 use super::scalar::LARGEST_POWER;
@@ -66,6 +67,8 @@ pub struct Interpreter<'a> {
     pub memo: Lookup<(usize, Vec<u64>), Value>,
     /// Conditions on the state, as numbers, with their opposites.
     pub opposites: Lookup<NodeId, NodeId>,
+    /// The sides of branches on the state.
+    pub sides: Sides,
     /// Functions whose return type their role refuses.
     pub misshapen: Vec<usize>,
     /// The functions being evaluated.
@@ -119,6 +122,7 @@ impl<'a> Interpreter<'a> {
             flow: Flow::Next,
             memo: Lookup::default(),
             opposites: Lookup::default(),
+            sides: Sides::default(),
             misshapen: Vec::new(),
             calls: Vec::new(),
             rates: vec![None; item.velocities.len()],

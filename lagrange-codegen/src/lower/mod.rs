@@ -16,6 +16,7 @@ mod contact;
 mod control;
 mod coordinates;
 mod force;
+mod guarded;
 mod hint;
 mod interpreter;
 mod iterate;

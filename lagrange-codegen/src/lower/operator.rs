@@ -67,7 +67,14 @@ impl<'a> Interpreter<'a> {
                 first
             }
             _ => {
+                let is_conditional = matches!(first, Value::Choice(_));
+                if is_conditional {
+                    self.enter_side();
+                }
                 let second = self.expression(right);
+                if is_conditional {
+                    self.leave_side();
+                }
                 match (&first, &second) {
                     (Value::Integer(value, ..), other) if meets_integer(operator, other) => {
                         self.integer_as_number(*value, left)

@@ -32,6 +32,30 @@ where
         if *flips > CHANGES {
             return Err(Cause::HeldAtKink { kink, name });
         }
+        match self.passable(kink, side, state) {
+            // What leaps with another switch has been looked at there.
+            Err(_) if self.has_leapt(kink, state) => Ok(()),
+            found => found,
+        }
+    }
+
+    /// Whether the argument of a switch did not come to zero, but leapt when another switch that it contains
+    /// went over at this time. Its size is that along the piece, as it may be all there is of it here.
+    #[cold]
+    fn has_leapt(&self, kink: usize, state: &State<S::Scalar, N>) -> bool {
+        let of = |state: &State<S::Scalar, N>| {
+            let laws = self.system.laws_at(state.t, &state.q, &state.v, &self.control.0);
+            (entry(&laws.kinks, kink).abs(), entry(&laws.kink_sizes, kink))
+        };
+        let others = self.memory.flips.iter().enumerate().filter(|&(other, _)| other != kink);
+        let ((here, size), (_, before)) = (of(state), of(&self.memory.start));
+        others.into_iter().any(|(_, &flips)| flips > 0)
+            && above(here, S::Scalar::epsilon().sqrt() * most(size, before))
+    }
+
+    /// Refuses a kink at which an energy, a momentum, a constraint or the gap of a contact jumps.
+    fn passable(&mut self, kink: usize, side: S::Scalar, state: &State<S::Scalar, N>) -> Result<(), Cause> {
+        let name = S::KINKS.get(kink).copied().unwrap_or(Name::NONE);
         // An energy that jumps would act by a force at one point, which no equation contains.
         let [jumps, sizes] = self.system.jumps_at(state.t, &state.q, &state.v, &self.control.0);
         if above(entry(&jumps, kink).abs(), S::Scalar::epsilon().sqrt() * entry(&sizes, kink)) {

@@ -20,6 +20,7 @@ mod random;
 mod reactions;
 mod refused;
 mod rocking;
+mod sides;
 mod slider_crank;
 mod slips;
 mod steps;

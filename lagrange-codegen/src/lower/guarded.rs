@@ -1,0 +1,153 @@
+//! What stands on one side of an `if` need not be a number on the other.
+//!
+//! Both sides of an `if` are computed everywhere and multiplied by their weights w, one or zero. The root of
+//! a negative number would remain not a number, whatever it is multiplied by. So functions that are not
+//! defined everywhere, or not differentiable, have another argument where their side is not taken:
+//! √x becomes √(w x + 1 − w), with w of that side. The argument is exactly x where w is one. Derivatives and
+//! series of it are numbers everywhere, too.
+//!
+//! That applies to what a description computes on that side. What it computes before the `if` has to be a
+//! number everywhere, as its value may be needed everywhere.
+
+use crate::calculus::rebuild;
+use crate::collections::Lookup;
+use crate::expr::{Binary, Exponent, Graph, Node, NodeId, Unary};
+use crate::number::Number;
+
+/// Which side of which `if` first made a node.
+#[derive(Debug, Default)]
+pub struct Sides {
+    /// The sides that are being evaluated, outer ones first.
+    open: Vec<u32>,
+    /// The first node that was made there, and the innermost side at that time; zero for none.
+    since: Vec<(usize, u32)>,
+    /// The number of sides so far.
+    count: u32,
+}
+
+impl Sides {
+    /// Begins a side of a graph that has so many nodes.
+    pub fn enter(&mut self, nodes: usize) {
+        self.count += 1;
+        self.open.push(self.count);
+        self.since.push((nodes, self.count));
+    }
+
+    /// Ends it.
+    pub fn leave(&mut self, nodes: usize) {
+        self.open.pop();
+        self.since.push((nodes, self.open.last().copied().unwrap_or(0)));
+    }
+
+    /// Whether a node was first made on a side that has ended.
+    fn has_ended(&self, node: NodeId) -> bool {
+        let after = self.since.partition_point(|&(first, _)| first <= node.index());
+        let side = after.checked_sub(1).map_or(0, |last| self.since[last].1);
+        side != 0 && !self.open.contains(&side)
+    }
+
+    /// Values from a side that has ended, as numbers everywhere. The weight of that side is `weight` and that
+    /// of the others `rest`.
+    pub fn guarded(&self, graph: &mut Graph, values: &[NodeId], [weight, rest]: [NodeId; 2]) -> Vec<NodeId> {
+        if values.iter().all(|&value| !self.has_ended(value)) {
+            return values.to_vec();
+        }
+        let mut guard = Guard { weight, rest, images: Lookup::default() };
+        for node in graph.cone(values.iter().copied()) {
+            if self.has_ended(node) && !graph.dependence(node).is_fixed() {
+                let image = guard.image(graph, node);
+                if image != node {
+                    guard.images.insert(node, image);
+                }
+            }
+        }
+        values.iter().map(|&value| guard.of(value)).collect()
+    }
+}
+
+struct Guard {
+    weight: NodeId,
+    rest: NodeId,
+    images: Lookup<NodeId, NodeId>,
+}
+
+impl Guard {
+    fn of(&self, node: NodeId) -> NodeId {
+        self.images.get(&node).copied().unwrap_or(node)
+    }
+
+    /// A node whose operands have their images.
+    fn image(&self, graph: &mut Graph, node: NodeId) -> NodeId {
+        match graph.node(node).clone() {
+            Node::Product(factors) => {
+                let factors: Vec<(NodeId, Exponent)> = factors
+                    .into_iter()
+                    .map(|(factor, power)| {
+                        let image = self.of(factor);
+                        let is_whole = power.as_integer().is_some_and(|power| power > 0);
+                        (if is_whole { image } else { self.elsewhere(graph, image, Number::ONE) }, power)
+                    })
+                    .collect();
+                graph.product(&factors)
+            }
+            Node::Unary(function, argument) => {
+                let image = self.of(argument);
+                let guarded = match function {
+                    Unary::Asin
+                    | Unary::Acos
+                    | Unary::Atanh
+                    | Unary::Ln1p
+                    | Unary::Tan
+                    | Unary::Sinh
+                    | Unary::Cosh
+                    | Unary::Exp
+                    | Unary::ExpM1 => self.elsewhere(graph, image, Number::ZERO),
+                    Unary::Ln | Unary::Cbrt => self.elsewhere(graph, image, Number::ONE),
+                    Unary::Acosh => self.elsewhere(graph, image, Number::integer(2)),
+                    // A switch that hangs on a guarded value rests where its side is not taken.
+                    Unary::Abs | Unary::Signum | Unary::PositivePart
+                        if image != argument && !graph.is_sign(argument) =>
+                    {
+                        self.elsewhere(graph, image, Number::ONE)
+                    }
+                    Unary::Sin
+                    | Unary::Cos
+                    | Unary::Atan
+                    | Unary::Tanh
+                    | Unary::Sech
+                    | Unary::Asinh
+                    | Unary::Abs
+                    | Unary::Signum
+                    | Unary::PositivePart => image,
+                };
+                if guarded == argument { node } else { graph.unary(function, guarded) }
+            }
+            Node::Binary(function, first, second) => {
+                let [first, second] = [first, second].map(|operand| self.of(operand));
+                match function {
+                    Binary::Atan2 => {
+                        let first = self.elsewhere(graph, first, Number::ZERO);
+                        let second = self.elsewhere(graph, second, Number::ONE);
+                        graph.binary(function, first, second)
+                    }
+                    Binary::Powf | Binary::PowfLn | Binary::Pivot => {
+                        let first = self.elsewhere(graph, first, Number::ONE);
+                        graph.binary(function, first, second)
+                    }
+                }
+            }
+            Node::Constant(_) | Node::Variable(_) | Node::Sum { .. } => {
+                rebuild(graph, node, |operand| self.of(operand))
+            }
+        }
+    }
+
+    /// A number where the side is taken, and a constant elsewhere.
+    fn elsewhere(&self, graph: &mut Graph, node: NodeId, constant: Number) -> NodeId {
+        if graph.dependence(node).is_fixed() {
+            return node;
+        }
+        let here = graph.mul(self.weight, node);
+        graph.sum(Number::ZERO, &[(here, Number::ONE), (self.rest, constant)])
+    }
+}
