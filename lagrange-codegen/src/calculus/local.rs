@@ -71,7 +71,7 @@ pub fn unary(graph: &mut Graph, function: Unary, argument: NodeId, value: NodeId
             graph.scale(square, Number::Ratio(1, 3))
         }
         Unary::Abs => graph.unary(Unary::Signum, argument),
-        Unary::Signum => graph.zero(),
+        Unary::Signum | Unary::Step | Unary::Below => graph.zero(),
         Unary::PositivePart => {
             let half = Number::Ratio(1, 2);
             let sign = graph.unary(Unary::Signum, argument);

@@ -93,15 +93,13 @@ impl Graph {
                         None => x.sqrt().powi(exponent.0),
                     }))
                 }),
-                // Whose sign is known has no kink.
-                Node::Unary(Unary::PositivePart, sign) if self.is_sign(*sign) => {
-                    value(sign).through(|x| x.max(0.0))
-                }
                 Node::Unary(function, argument) => {
                     let sign = if side(*argument) { 1.0 } else { -1.0 };
                     match function {
                         Unary::Abs => value(argument).through(|x| sign * x),
                         Unary::Signum => exact(sign),
+                        Unary::Step => exact(if sign > 0.0 { 1.0 } else { 0.0 }),
+                        Unary::Below => exact(if sign > 0.0 { 0.0 } else { 1.0 }),
                         Unary::PositivePart => value(argument).through(|x| if sign > 0.0 { x } else { 0.0 }),
                         Unary::Sin
                         | Unary::Cos

@@ -18,6 +18,10 @@ impl Graph {
                 Unary::Abs => return self.constant(value.abs()),
                 Unary::PositivePart if value.is_negative() => return self.zero(),
                 Unary::PositivePart => return argument,
+                // That of zero stands above.
+                Unary::Step | Unary::Below => {
+                    return self.integer(i128::from(value.is_negative() == (function == Unary::Below)));
+                }
                 Unary::Signum if !value.is_zero() => {
                     return self.integer(if value.is_negative() { -1 } else { 1 });
                 }
@@ -36,15 +40,7 @@ impl Graph {
     /// One where a number is not negative and zero elsewhere, and the opposite. Each is a node of its own:
     /// 1 − w as a sum would be multiplied out, and b + w (a − b) loses what is small beside b.
     pub fn sides(&mut self, argument: NodeId) -> [NodeId; 2] {
-        let sign = self.unary(Unary::Signum, argument);
-        let opposite = self.neg(sign);
-        [sign, opposite].map(|sign| self.unary(Unary::PositivePart, sign))
-    }
-
-    /// Whether a node is a sign: one or minus one.
-    pub fn is_sign(&self, node: NodeId) -> bool {
-        let (coefficient, of) = self.scaled(node);
-        coefficient.abs().is_one() && matches!(self.node(of), Node::Unary(Unary::Signum, _))
+        [Unary::Step, Unary::Below].map(|side| self.unary(side, argument))
     }
 
     /// The larger of two numbers, to the last bit.

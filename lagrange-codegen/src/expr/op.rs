@@ -49,6 +49,10 @@ pub enum Unary {
     Signum,
     /// The argument where it is positive, else zero.
     PositivePart,
+    /// One where the argument is not negative, else zero. A condition, with [`Unary::Below`] as its opposite.
+    Step,
+    /// One where the argument is negative, else zero.
+    Below,
 }
 
 /// A function of two arguments.
@@ -67,7 +71,7 @@ pub enum Binary {
 
 impl Unary {
     /// All functions of one argument.
-    pub const ALL: [Unary; 21] = [
+    pub const ALL: [Unary; 23] = [
         Unary::Sin,
         Unary::Cos,
         Unary::Tan,
@@ -89,6 +93,8 @@ impl Unary {
         Unary::Abs,
         Unary::Signum,
         Unary::PositivePart,
+        Unary::Step,
+        Unary::Below,
     ];
 
     /// The name of the method in Rust.
@@ -115,6 +121,8 @@ impl Unary {
             Unary::Abs => "abs",
             Unary::Signum => "signum",
             Unary::PositivePart => "positive_part",
+            Unary::Step => "step",
+            Unary::Below => "below",
         }
     }
 
@@ -142,6 +150,9 @@ impl Unary {
             Unary::Abs => x.abs(),
             Unary::Signum => x.signum(),
             Unary::PositivePart => x.max(0.0),
+            Unary::Step | Unary::Below if x.is_nan() => x,
+            Unary::Step => f64::from(u8::from(x >= 0.0)),
+            Unary::Below => f64::from(u8::from(x < 0.0)),
         }
     }
 
@@ -160,8 +171,9 @@ impl Unary {
             | Unary::Ln1p
             | Unary::Cbrt
             | Unary::Abs
-            | Unary::PositivePart => Some(0),
-            Unary::Cos | Unary::Cosh | Unary::Sech | Unary::Exp => Some(1),
+            | Unary::PositivePart
+            | Unary::Below => Some(0),
+            Unary::Cos | Unary::Cosh | Unary::Sech | Unary::Exp | Unary::Step => Some(1),
             Unary::Acos | Unary::Acosh | Unary::Ln | Unary::Signum => None,
         }
     }
@@ -186,7 +198,9 @@ impl Unary {
             | Unary::ExpM1
             | Unary::Ln
             | Unary::Ln1p
-            | Unary::PositivePart => Parity::Neither,
+            | Unary::PositivePart
+            | Unary::Step
+            | Unary::Below => Parity::Neither,
         }
     }
 }

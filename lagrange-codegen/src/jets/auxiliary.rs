@@ -211,7 +211,9 @@ impl<'g> Rewriter<'g> {
         // rewritten.
         self.images.insert(id, variable);
         let slope = match function {
-            Unary::Abs | Unary::Signum | Unary::PositivePart => return Err(NotSmooth),
+            Unary::Abs | Unary::Signum | Unary::PositivePart | Unary::Step | Unary::Below => {
+                return Err(NotSmooth);
+            }
             Unary::Cbrt if self.rests_at_zero(argument) => return Err(NotSmooth),
             Unary::Cbrt => {
                 self.auxiliaries[index].relation = Relation::Power(x, Number::Ratio(1, 3));

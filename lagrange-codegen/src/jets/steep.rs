@@ -49,7 +49,9 @@ fn hides(function: Unary) -> bool {
         | Unary::Cbrt
         | Unary::Abs
         | Unary::Signum
-        | Unary::PositivePart => false,
+        | Unary::PositivePart
+        | Unary::Step
+        | Unary::Below => false,
     }
 }
 

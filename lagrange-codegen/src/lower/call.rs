@@ -1,11 +1,11 @@
 //! Calls of functions of the impl block: inlined, each once for equal arguments.
 
 use super::advice::{argument_count, counted};
-use super::interpreter::{Flow, Interpreter};
+use super::interpreter::Interpreter;
 use super::shape::Shape;
 use super::value::{ClosureId, Value};
 use crate::diagnostics::{Origin, catalogue};
-use crate::syntax::body::{Block, Closure, Expr, ExprKind, Name, Owner, Path, Statement, Word};
+use crate::syntax::body::{Closure, Expr, ExprKind, Name, Owner, Path, Statement, Word};
 use crate::syntax::velocity::SUFFIX;
 
 /// A function that can be passed where a closure is expected.
@@ -112,7 +112,8 @@ impl<'a> Interpreter<'a> {
         let value = match &function.output {
             Some(ty) => {
                 let shape = self.shape(ty);
-                let value = self.body_value(&function.body, &shape);
+                let body = |this: &mut Self| this.block_as(&function.body, &shape);
+                let value = self.body_value(function.origin, &shape, body);
                 match (&function.body.value, function.body.statements.last()) {
                     (Some(last), _) => self.coerce_of(value, &shape, last),
                     (None, Some(Statement::Expression(last)))
@@ -123,7 +124,7 @@ impl<'a> Interpreter<'a> {
                     (None, _) => self.coerce(value, &shape, function.origin),
                 }
             }
-            None => self.body_value(&function.body, &Shape::Any),
+            None => self.body_value(function.origin, &Shape::Any, |this| this.block(&function.body)),
         };
         self.scope.leave(mark);
         (self.later, self.lazy) = (later, lazy);
@@ -150,16 +151,6 @@ impl<'a> Interpreter<'a> {
         let mut key = Vec::new();
         shaped.iter().for_each(|argument| argument.fingerprint(&mut key));
         (shaped, (index, key))
-    }
-
-    /// The value of a function body: of its last expression or of `return`.
-    fn body_value(&mut self, body: &'a Block, shape: &Shape) -> Value {
-        let value = self.block_as(body, shape);
-        match std::mem::replace(&mut self.flow, Flow::Next) {
-            Flow::Return(value) => value,
-            Flow::Next => value,
-            Flow::Break(_) | Flow::Continue(_) => Value::Unknown,
-        }
     }
 
     /// An argument that is called: a closure or the path of a function.
@@ -232,16 +223,9 @@ impl<'a> Interpreter<'a> {
                 for (pattern, argument) in closure.parameters.iter().zip(arguments) {
                     self.bind(pattern, argument);
                 }
-                let value = self.expression(&closure.body);
+                let value = self.body_value(origin, &Shape::Any, |this| this.expression(&closure.body));
                 self.scope.leave(mark);
-                match &self.flow {
-                    Flow::Return(value) => {
-                        let value = value.clone();
-                        self.flow = Flow::Next;
-                        value
-                    }
-                    Flow::Next | Flow::Break(_) | Flow::Continue(_) => value,
-                }
+                value
             }
         }
     }

@@ -17,7 +17,7 @@ use crate::syntax::body::{BinaryOperator, If};
 impl<'a> Interpreter<'a> {
     /// A comparison as a number, one where it holds and zero elsewhere; `None` for a comparison for equality.
     pub fn choice(&mut self, operator: BinaryOperator, left: NodeId, right: NodeId) -> Option<NodeId> {
-        // The sign of zero is one, so equality counts as `>=`.
+        // Zero is not negative, so equality counts as `>=`.
         let (more, less, strict) = match operator {
             BinaryOperator::GreaterEqual => (left, right, false),
             BinaryOperator::LessEqual => (right, left, false),
@@ -69,16 +69,6 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Begins a side of an `if`, or the second of two conditions.
-    pub fn enter_side(&mut self) {
-        self.sides.enter(self.model.graph.len());
-    }
-
-    /// Ends it.
-    pub fn leave_side(&mut self) {
-        self.sides.leave(self.model.graph.len());
-    }
-
     /// The opposite of a condition.
     pub fn opposite(&mut self, weight: NodeId) -> NodeId {
         self.opposites.get(&weight).copied().unwrap_or_else(|| {
@@ -90,34 +80,47 @@ impl<'a> Interpreter<'a> {
     /// `if … else …` on the state.
     pub fn chosen(&mut self, branch: &'a If, weight: NodeId) -> Value {
         let origin = branch.condition.origin;
+        let region = self.region();
+        let rest = self.opposite(weight);
         let before = self.scope.values();
-        self.enter_side();
+        self.enter_side(weight);
         let then = self.block(&branch.then);
-        self.leave_side();
-        let is_through = matches!(self.flow, Flow::Next);
+        let way_then = self.leave_sides(region);
+        let flow_then = std::mem::replace(&mut self.flow, Flow::Next);
         let after_then = self.scope.values();
         self.scope.restore(before);
-        self.enter_side();
+        self.enter_side(rest);
         let otherwise = match &branch.otherwise {
-            Some(otherwise) if is_through => self.expression(otherwise),
-            _ => Value::Unit,
+            Some(otherwise) => self.expression(otherwise),
+            None => Value::Unit,
         };
-        self.leave_side();
-        if !matches!(self.flow, Flow::Next) {
-            self.flow = Flow::Next;
-            return self.refuse(origin, catalogue::leaving_choice());
-        }
-        let after_otherwise = self.scope.values();
-        let mut merged = Vec::with_capacity(after_then.len());
-        for (then, otherwise) in after_then.iter().zip(&after_otherwise) {
-            merged.push(self.mixed(weight, then, otherwise, origin));
-        }
-        self.scope.restore(merged);
-        self.mixed(weight, &then, &otherwise, origin)
+        let way_otherwise = self.leave_sides(region);
+        let value = match (flow_then, std::mem::replace(&mut self.flow, Flow::Next)) {
+            (Flow::Next, Flow::Next) => {
+                let after_otherwise = self.scope.values();
+                let both = after_then.iter().zip(&after_otherwise);
+                let merged =
+                    both.map(|(then, otherwise)| self.mixed(weight, then, otherwise, origin)).collect();
+                self.scope.restore(merged);
+                self.mixed(weight, &then, &otherwise, origin)
+            }
+            (Flow::Next, leaves) => {
+                self.exit(way_otherwise, leaves, self.scope.values(), origin);
+                self.scope.restore(after_then);
+                then
+            }
+            (leaves, goes_on) => {
+                self.exit(way_then, leaves, after_then, origin);
+                self.flow = goes_on;
+                otherwise
+            }
+        };
+        self.go_beside(region);
+        value
     }
 
     /// w · `then` + w̄ · `otherwise`.
-    fn mixed(&mut self, weight: NodeId, then: &Value, otherwise: &Value, origin: Origin) -> Value {
+    pub fn mixed(&mut self, weight: NodeId, then: &Value, otherwise: &Value, origin: Origin) -> Value {
         let words = |value: &Value| {
             let mut words = Vec::new();
             value.fingerprint(&mut words);

@@ -109,27 +109,32 @@ impl<'a> Interpreter<'a> {
             }
             return Value::Unknown;
         };
+        let mine = |label: &Option<Name>| label.is_none() || *label == each.label;
+        let origin = each.over.origin;
+        let all = self.region();
         for element in over.iter() {
-            if !self.pay(each.over.origin) {
+            if !self.pay(origin) {
                 self.stop();
                 return Value::Unknown;
             }
+            let turn = self.region();
             let mark = self.scope.mark();
             self.bind(&each.pattern, element.clone());
             self.block(&each.body);
             self.scope.leave(mark);
-            let mine = |label: &Option<Name>| label.is_none() || *label == each.label;
-            match &self.flow {
-                Flow::Next => {}
-                Flow::Break(label) if mine(label) => {
-                    self.flow = Flow::Next;
-                    break;
-                }
-                Flow::Continue(label) if mine(label) => self.flow = Flow::Next,
-                Flow::Break(_) | Flow::Continue(_) | Flow::Return(_) => return Value::Unknown,
+            if matches!(&self.flow, Flow::Continue(label) if mine(label)) {
+                self.flow = Flow::Next;
+            }
+            self.end_region(turn, |flow| matches!(flow, Flow::Continue(label) if mine(label)), origin);
+            if !matches!(self.flow, Flow::Next) {
+                break;
             }
         }
-        Value::Unit
+        if matches!(&self.flow, Flow::Break(label) if mine(label)) {
+            self.flow = Flow::Next;
+        }
+        self.end_region(all, |flow| matches!(flow, Flow::Break(label) if mine(label)), origin);
+        if matches!(self.flow, Flow::Next) { Value::Unit } else { Value::Unknown }
     }
 
     /// A range as a value.

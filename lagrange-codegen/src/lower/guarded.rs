@@ -33,9 +33,14 @@ impl Sides {
         self.since.push((nodes, self.count));
     }
 
-    /// Ends it.
-    pub fn leave(&mut self, nodes: usize) {
-        self.open.pop();
+    /// The number of sides that are being evaluated.
+    pub fn depth(&self) -> usize {
+        self.open.len()
+    }
+
+    /// Ends all but the outermost ones.
+    pub fn leave(&mut self, depth: usize, nodes: usize) {
+        self.open.truncate(depth);
         self.since.push((nodes, self.open.last().copied().unwrap_or(0)));
     }
 
@@ -105,8 +110,8 @@ impl Guard {
                     Unary::Ln | Unary::Cbrt => self.elsewhere(graph, image, Number::ONE),
                     Unary::Acosh => self.elsewhere(graph, image, Number::integer(2)),
                     // A switch that hangs on a guarded value rests where its side is not taken.
-                    Unary::Abs | Unary::Signum | Unary::PositivePart
-                        if image != argument && !graph.is_sign(argument) =>
+                    Unary::Abs | Unary::Signum | Unary::PositivePart | Unary::Step | Unary::Below
+                        if image != argument =>
                     {
                         self.elsewhere(graph, image, Number::ONE)
                     }
@@ -118,7 +123,9 @@ impl Guard {
                     | Unary::Asinh
                     | Unary::Abs
                     | Unary::Signum
-                    | Unary::PositivePart => image,
+                    | Unary::PositivePart
+                    | Unary::Step
+                    | Unary::Below => image,
                 };
                 if guarded == argument { node } else { graph.unary(function, guarded) }
             }

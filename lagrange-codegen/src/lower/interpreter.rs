@@ -41,6 +41,19 @@ pub enum Flow {
     Return(Value),
 }
 
+/// A way out of a function or a loop that is taken where a condition holds.
+#[derive(Debug)]
+pub struct Exit {
+    /// The condition: of all branches on the way, and that no earlier exit was taken.
+    pub weight: NodeId,
+    /// Where it leads.
+    pub flow: Flow,
+    /// The values of all variables there.
+    pub values: Vec<Value>,
+    /// Where the branch is written.
+    pub origin: Origin,
+}
+
 /// The amount that may still be unrolled.
 #[derive(Debug)]
 enum Budget {
@@ -69,6 +82,10 @@ pub struct Interpreter<'a> {
     pub opposites: Lookup<NodeId, NodeId>,
     /// The sides of branches on the state.
     pub sides: Sides,
+    /// The conditions of the sides that are open in the present function.
+    pub path: Vec<NodeId>,
+    /// Ways out of the present function and its loops that are taken on some sides.
+    pub exits: Vec<Exit>,
     /// Functions whose return type their role refuses.
     pub misshapen: Vec<usize>,
     /// The functions being evaluated.
@@ -123,6 +140,8 @@ impl<'a> Interpreter<'a> {
             memo: Lookup::default(),
             opposites: Lookup::default(),
             sides: Sides::default(),
+            path: Vec::new(),
+            exits: Vec::new(),
             misshapen: Vec::new(),
             calls: Vec::new(),
             rates: vec![None; item.velocities.len()],

@@ -15,6 +15,7 @@ mod construct;
 mod contact;
 mod control;
 mod coordinates;
+mod exits;
 mod force;
 mod guarded;
 mod hint;

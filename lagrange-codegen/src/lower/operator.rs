@@ -67,14 +67,14 @@ impl<'a> Interpreter<'a> {
                 first
             }
             _ => {
-                let is_conditional = matches!(first, Value::Choice(_));
-                if is_conditional {
-                    self.enter_side();
+                let region = self.region();
+                if let Value::Choice(weight) = first {
+                    let asked = if operator == BinaryOperator::And { weight } else { self.opposite(weight) };
+                    self.enter_side(asked);
                 }
                 let second = self.expression(right);
-                if is_conditional {
-                    self.leave_side();
-                }
+                self.leave_sides(region);
+                self.go_beside(region);
                 match (&first, &second) {
                     (Value::Integer(value, ..), other) if meets_integer(operator, other) => {
                         self.integer_as_number(*value, left)

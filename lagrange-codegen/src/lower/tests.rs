@@ -1,5 +1,6 @@
 //! Lowering of whole descriptions.
 
+mod branches;
 mod constraints;
 mod form;
 mod language;
@@ -43,6 +44,15 @@ pub fn value(model: &Model, node: NodeId, parameter: impl Fn(&str) -> f64) -> f6
         | Variable::Time => 0.9,
         Variable::Input(i) => 1.5 + f64::from(i),
         Variable::Parameter(i) => parameter(&model.parameters[i as usize].path),
+    };
+    model.graph.evaluate(&[node], variable)[0]
+}
+
+/// The value at given coordinates.
+pub fn value_at(model: &Model, node: NodeId, coordinates: &[f64]) -> f64 {
+    let variable = |variable: Variable| match variable {
+        Variable::Coordinate(i) => coordinates[i as usize],
+        other => panic!("{other:?}"),
     };
     model.graph.evaluate(&[node], variable)[0]
 }

@@ -74,13 +74,10 @@ pub(super) fn are_in(model: &Model, node: NodeId) -> bool {
 /// The argument of a function with a kink, if it moves.
 fn kinked(graph: &Graph, id: NodeId) -> Option<NodeId> {
     match *graph.node(id) {
-        // The positive part of a sign has the kink of that sign.
-        Node::Unary(Unary::PositivePart, argument) if graph.is_sign(argument) => None,
-        Node::Unary(Unary::Abs | Unary::Signum | Unary::PositivePart, argument)
-            if graph.dependence(argument).meets(MOVING) =>
-        {
-            Some(argument)
-        }
+        Node::Unary(
+            Unary::Abs | Unary::Signum | Unary::PositivePart | Unary::Step | Unary::Below,
+            argument,
+        ) if graph.dependence(argument).meets(MOVING) => Some(argument),
         _ => None,
     }
 }
@@ -208,10 +205,13 @@ pub(super) fn on_side(graph: &mut Graph, argument: NodeId, side: NodeId) -> Vec<
     let mut replacements = Vec::new();
     for (argument, side) in [(argument, side), (opposite, other_side)] {
         let half = graph.sum(Number::HALF, &[(side, Number::HALF)]);
+        let other_half = graph.sum(Number::ONE, &[(half, Number::MINUS_ONE)]);
         let images = [
             (Unary::Abs, graph.mul(side, argument)),
             (Unary::Signum, side),
             (Unary::PositivePart, graph.mul(half, argument)),
+            (Unary::Step, half),
+            (Unary::Below, other_half),
         ];
         for (function, image) in images {
             let node = graph.unary(function, argument);

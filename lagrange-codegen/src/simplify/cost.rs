@@ -48,7 +48,7 @@ fn node_cost(graph: &Graph, id: NodeId) -> u32 {
             (above + below).saturating_sub(1) + division + roots * SQUARE_ROOT
         }
         Node::Unary(Unary::Sin | Unary::Cos, _) => HALF_OF_SINE_AND_COSINE,
-        Node::Unary(Unary::Abs | Unary::Signum | Unary::PositivePart, _) => 1,
+        Node::Unary(Unary::Abs | Unary::Signum | Unary::PositivePart | Unary::Step | Unary::Below, _) => 1,
         Node::Binary(Binary::Pivot, ..) => 2,
         Node::Unary(..) | Node::Binary(..) => FUNCTION,
     }

@@ -284,6 +284,21 @@ pub trait Real:
         self.max(Self::zero())
     }
 
+    /// One where `self` is not negative, else zero, lane by lane; NaN where it is NaN. Derivatives are zero.
+    #[inline]
+    fn step(self) -> Self {
+        let [zero, one] = [Self::zero(), Self::one()];
+        // The sum is zero or NaN, without derivatives.
+        one.where_positive(self, zero.where_positive(-self, (self + -self) + one))
+    }
+
+    /// One where `self` is negative, else zero, lane by lane: the opposite of [`Real::step`].
+    #[inline]
+    fn below(self) -> Self {
+        let [zero, one] = [Self::zero(), Self::one()];
+        zero.where_positive(self, one.where_positive(-self, self + -self))
+    }
+
     /// `self` between two bounds, lane by lane.
     #[inline]
     fn clamp(self, low: Self, high: Self) -> Self {

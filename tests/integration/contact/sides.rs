@@ -149,3 +149,109 @@ fn the_side_that_is_not_taken_need_not_be_a_number() {
     assert!(end.q[0] < 1.0 && end.q[3] < 0.0 && end.q[4] < 0.0 && end.q[1] > 1.0 && end.q[12] > 1.0);
     assert!(end.q[5] > 2.0 && end.q[7] > 0.0 && end.q[8] > 2.25 && end.q[9] > 1.3 && end.q[10] > 2.25);
 }
+
+/// A jumper on a rope that is slack up to its length, and a drag that has no direction at rest.
+struct Jumper {
+    length: f64,
+    stiffness: f64,
+    drag: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Jumper {
+    #[point(mass = 1.0)]
+    fn jumper(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        10.0 * q.y
+    }
+
+    #[potential]
+    fn rope(&self, q: &Coordinates) -> f64 {
+        let square = self.jumper(q).norm_squared();
+        if square <= self.length * self.length {
+            return 0.0;
+        }
+        0.5 * self.stiffness * (square.sqrt() - self.length).powi(2)
+    }
+
+    #[force(on = jumper)]
+    fn air(&self, v: &Velocities) -> Vector2<f64> {
+        let velocity = Vector2::new(v.x, v.y);
+        if velocity.norm_squared() > 0.0 { velocity.normalize() * -self.drag } else { Vector2::zeros() }
+    }
+}
+
+#[test]
+fn functions_that_return_early_are_those_of_rust() {
+    let jumper = Jumper { length: 2.0, stiffness: 30.0, drag: 0.0 };
+    // From the pivot, where the length of the rope has no derivative.
+    let start = State::new([0.0, 0.0], [1.0, 0.0]);
+    let mut motion = jumper.simulate(start).with_tolerance(1e-12);
+    let falls = *motion.advance_to(0.5).unwrap();
+    assert_eq!((falls.q, falls.v), ([0.5, -1.25], [1.0, -5.0]));
+    for i in 1..=40 {
+        let state = *motion.advance_to(0.5 + 0.25 * f64::from(i)).unwrap();
+        assert!((jumper.energy(&state) - 0.5).abs() < 1e-10, "{state:?}");
+    }
+}
+
+#[test]
+fn at_equality_a_comparison_is_that_of_rust() {
+    let jumper = Jumper { length: 2.0, stiffness: 30.0, drag: 0.5 };
+    let at = |v| jumper.accelerations(&State::new([0.0, 0.0], v)).unwrap();
+    assert_eq!(at([0.0, 0.0]), [0.0, -10.0]);
+    assert_eq!(at([-0.0, 2.0]), [0.0, -10.5]);
+}
+
+/// Particles of which each pair repels while it is close.
+struct Soft;
+
+#[lagrangian(coordinates = [x: [4], y: [4]])]
+impl Soft {
+    #[point(mass = 1.0)]
+    fn particles(&self, q: &Coordinates) -> [Vector2<f64>; 4] {
+        std::array::from_fn(|i| Vector2::new(q.x[i], q.y[i]))
+    }
+
+    #[potential]
+    fn pairs(&self, q: &Coordinates) -> f64 {
+        let places = self.particles(q);
+        let mut energy = 0.0;
+        for i in 0..4 {
+            for j in 0..i {
+                let square = (places[i] - places[j]).norm_squared();
+                if square > 1.0 {
+                    continue;
+                }
+                energy += 20.0 * (1.0 - square.sqrt()).powi(2);
+            }
+        }
+        energy
+    }
+}
+
+#[test]
+fn loops_that_go_on_early_are_those_of_rust() {
+    let by_hand = |state: &State<f64, 8>| {
+        let (x, y) = (&state.q[..4], &state.q[4..]);
+        let mut energy = 0.5 * state.v.iter().map(|v| v * v).sum::<f64>();
+        for i in 0..4 {
+            for j in 0..i {
+                energy += 20.0 * (1.0 - (x[i] - x[j]).hypot(y[i] - y[j])).max(0.0).powi(2);
+            }
+        }
+        energy
+    };
+    let start =
+        State::new([0.0, 3.0, 0.2, 1.4, 0.0, 0.1, 2.0, 2.5], [1.0, -1.0, 0.1, 0.0, 0.0, 0.2, -1.0, -0.9]);
+    let energy = by_hand(&start);
+    let mut motion = Soft.simulate(start).with_tolerance(1e-12);
+    for i in 1..=40 {
+        let now = by_hand(motion.advance_to(0.25 * f64::from(i)).unwrap());
+        assert!((now - energy).abs() < 1e-11 * energy, "{i}: {now}");
+    }
+}

@@ -160,20 +160,9 @@ impl Writer<'_> {
     }
 
     fn application(&self, function: Unary, argument: NodeId, power: Option<Number>) -> Formula {
-        let graph = &self.model.graph;
-        // One where a condition holds, zero elsewhere.
-        if function == Unary::PositivePart
-            && graph.is_sign(argument)
-            && let (sign, of) = graph.scaled(argument)
-            && let Node::Unary(_, inner) = graph.node(of)
-        {
-            let arguments = vec![Formula::sum(self.terms(*inner, sign.is_negative()))];
-            return Formula::Application(Application {
-                name: "step",
-                power: None,
-                arguments,
-                is_grouped: true,
-            });
+        if function == Unary::Below {
+            let arguments = vec![Formula::sum(self.terms(argument, true))];
+            return Formula::Application(Application { name: "step", power, arguments, is_grouped: true });
         }
         let inner = self.expression(argument);
         let name = match function {
@@ -188,6 +177,7 @@ impl Writer<'_> {
             Unary::ExpM1 => "expm1",
             Unary::Ln1p => "ln1p",
             Unary::Signum => "sgn",
+            Unary::Step | Unary::Below => "step",
             Unary::Sin | Unary::Cos | Unary::Tan | Unary::Sinh | Unary::Cosh | Unary::Tanh => function.name(),
             Unary::Sech | Unary::Exp | Unary::Ln | Unary::Cbrt => function.name(),
         };

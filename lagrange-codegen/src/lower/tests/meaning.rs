@@ -163,7 +163,6 @@ fn constants_and_branches() {
         }),
         "the branch depends on `v` and `t`: ",
     );
-    body(quote!(if q.x > 0.0 { return q.x } else { 0.0 }), "a branch on the state must not leave the ");
     body(
         quote!(if q.x > 0.0 { q.x } else { q.theta }),
         "the sides of this branch on the state are a scalar and ",

@@ -200,3 +200,15 @@ fn any_scalar_runs_through_both_integrators() {
     let mut motion = fall.stepper::<Rk4>(State::at_rest([0.0]));
     assert!((motion.step(2.0, &[]).unwrap().q[0] + 20.0).abs() < 1e-5);
 }
+
+#[test]
+fn conditions_are_one_or_zero_without_derivatives() {
+    for (x, step) in [(2.0, 1.0), (0.0, 1.0), (-0.0, 1.0), (-1e-300, 0.0), (f64::INFINITY, 1.0)] {
+        assert_eq!((x.step(), x.below()), (step, 1.0 - step), "{x}");
+        let dual = Dual::<f64, 1>::variable(x, 0);
+        assert_eq!((dual.step().value, dual.step().slopes), (step, [0.0]), "{x}");
+        assert_eq!((dual.below().value, dual.below().slopes), (1.0 - step, [0.0]), "{x}");
+        assert_eq!((Minimal(x).step(), Minimal(x).below()), (Minimal(step), Minimal(1.0 - step)), "{x}");
+    }
+    assert!(f64::NAN.step().is_nan() && f64::NAN.below().is_nan());
+}

@@ -208,9 +208,11 @@ fn what_is_not_a_number_is_said_to_be_so() {
     let rods = chain(12);
     let a: [[f64; 24]; 12] = gradients(&rods, 2, &core::array::from_fn(|i| i as f64 + 1.0));
     let pattern = pattern(&rods, 2, 0);
+    // The reciprocal of no mass.
+    let massless = Defect::Singular { coordinate: 7 };
     let negative = Defect::Singular { coordinate: 0 };
     for (i, bad, defect) in
-        [(3, f64::NAN, Defect::NotFinite), (7, f64::INFINITY, Defect::NotFinite), (0, -1e3, negative)]
+        [(3, f64::NAN, Defect::NotFinite), (7, f64::INFINITY, massless), (0, -1e3, negative)]
     {
         let mut masses = [1.0; 24];
         masses[i] = bad;
