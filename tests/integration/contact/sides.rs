@@ -178,7 +178,7 @@ impl Jumper {
         0.5 * self.stiffness * (square.sqrt() - self.length).powi(2)
     }
 
-    #[force(on = jumper)]
+    #[force(at = jumper)]
     fn air(&self, v: &Velocities) -> Vector2<f64> {
         let velocity = Vector2::new(v.x, v.y);
         if velocity.norm_squared() > 0.0 { velocity.normalize() * -self.drag } else { Vector2::zeros() }
