@@ -47,7 +47,8 @@ impl<'a> Interpreter<'a> {
                 let [not_a, not_b] = [a, b].map(|weight| self.opposite(weight));
                 // The second is asked for where the first does not decide.
                 let asked = if operator == BinaryOperator::And { [a, not_a] } else { [not_a, a] };
-                let guarded = self.sides.guarded(&mut self.model.graph, &[b, not_b], asked);
+                let guarded =
+                    self.sides.guarded(&mut self.model.graph, &[b, not_b], asked, self.sides.open());
                 let [b, not_b] = [guarded[0], guarded[1]];
                 let all =
                     if operator == BinaryOperator::And { [a, b, not_a, not_b] } else { [not_a, not_b, a, b] };
@@ -95,14 +96,16 @@ impl<'a> Interpreter<'a> {
             None => Value::Unit,
         };
         let way_otherwise = self.leave_sides(region);
+        let open = self.sides.open().to_vec();
         let value = match (flow_then, std::mem::replace(&mut self.flow, Flow::Next)) {
             (Flow::Next, Flow::Next) => {
                 let after_otherwise = self.scope.values();
                 let both = after_then.iter().zip(&after_otherwise);
-                let merged =
-                    both.map(|(then, otherwise)| self.mixed(weight, then, otherwise, origin)).collect();
+                let merged = both
+                    .map(|(then, otherwise)| self.mixed(weight, [then, otherwise], &open, origin))
+                    .collect();
                 self.scope.restore(merged);
-                self.mixed(weight, &then, &otherwise, origin)
+                self.mixed(weight, [&then, &otherwise], &open, origin)
             }
             (Flow::Next, leaves) => {
                 self.exit(way_otherwise, leaves, self.scope.values(), origin);
@@ -115,12 +118,19 @@ impl<'a> Interpreter<'a> {
                 otherwise
             }
         };
+        self.widen(region);
         self.go_beside(region);
         value
     }
 
-    /// w · `then` + w̄ · `otherwise`.
-    pub fn mixed(&mut self, weight: NodeId, then: &Value, otherwise: &Value, origin: Origin) -> Value {
+    /// w · (first value) + w̄ · (second one), in these sides of other branches.
+    pub fn mixed(
+        &mut self,
+        weight: NodeId,
+        [then, otherwise]: [&Value; 2],
+        open: &[u32],
+        origin: Origin,
+    ) -> Value {
         let words = |value: &Value| {
             let mut words = Vec::new();
             value.fingerprint(&mut words);
@@ -132,8 +142,8 @@ impl<'a> Interpreter<'a> {
         let mix = |this: &mut Self, a: &[NodeId], b: &[NodeId]| -> Rc<[NodeId]> {
             let rest = this.opposite(weight);
             let graph = &mut this.model.graph;
-            let a = this.sides.guarded(graph, a, [weight, rest]);
-            let b = this.sides.guarded(graph, b, [rest, weight]);
+            let a = this.sides.guarded(graph, a, [weight, rest], open);
+            let b = this.sides.guarded(graph, b, [rest, weight], open);
             a.into_iter()
                 .zip(b)
                 .map(|(a, b)| {
@@ -157,12 +167,12 @@ impl<'a> Interpreter<'a> {
                 let entries = mix(self, &a.entries, &b.entries).to_vec();
                 Value::Matrix(Rc::new(Matrix { rows: a.rows, columns: a.columns, entries }))
             }
-            (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
-                Value::array(a.iter().zip(b.iter()).map(|(a, b)| self.mixed(weight, a, b, origin)).collect())
-            }
-            (Value::Tuple(a), Value::Tuple(b)) if a.len() == b.len() => {
-                Value::tuple(a.iter().zip(b.iter()).map(|(a, b)| self.mixed(weight, a, b, origin)).collect())
-            }
+            (Value::Array(a), Value::Array(b)) if a.len() == b.len() => Value::array(
+                a.iter().zip(b.iter()).map(|(a, b)| self.mixed(weight, [a, b], open, origin)).collect(),
+            ),
+            (Value::Tuple(a), Value::Tuple(b)) if a.len() == b.len() => Value::tuple(
+                a.iter().zip(b.iter()).map(|(a, b)| self.mixed(weight, [a, b], open, origin)).collect(),
+            ),
             (a, b) => self.refuse(origin, catalogue::unmixed_choice(a.describe(), b.describe())),
         }
     }

@@ -22,31 +22,56 @@ pub struct Region {
 impl<'a> Interpreter<'a> {
     /// Begins a region.
     pub fn region(&self) -> Region {
-        Region { exits: self.exits.len(), path: self.path.len(), sides: self.sides.depth() }
+        Region { exits: self.exits.len(), path: self.path.len(), sides: self.sides.open().len() }
     }
 
     /// Begins a side of a branch on the state.
     pub fn enter_side(&mut self, weight: NodeId) {
-        self.path.push(weight);
-        self.sides.enter(self.model.graph.len());
+        let side = self.sides.another();
+        self.go_on(side, weight);
     }
 
-    /// Ends all sides that were begun in a region. Returns the conditions of the way so far.
+    fn go_on(&mut self, side: u32, weight: NodeId) {
+        self.path.push(weight);
+        self.sides.enter(side, self.model.graph.len());
+    }
+
+    /// Ends all sides that were begun in a region. Returns their conditions.
     pub fn leave_sides(&mut self, region: Region) -> Vec<NodeId> {
-        let way = self.path.clone();
-        self.path.truncate(region.path);
+        let way = self.path.split_off(region.path);
         self.sides.leave(region.sides, self.model.graph.len());
+        for exit in region.exits..self.exits.len() {
+            let Exit { weight, since, origin, .. } = self.exits[exit];
+            if let Some(before) = since.checked_sub(region.path).filter(|&before| before > 0) {
+                let conditions = way[..before].iter().copied().chain([weight]);
+                self.exits[exit].weight = self.all_of(conditions, origin).unwrap_or(weight);
+                self.exits[exit].since = region.path;
+            }
+        }
         way
     }
 
-    /// Notes that a flow has ended where these conditions hold.
+    /// Notes that a flow has ended where conditions hold, beside those of the present path.
     pub fn exit(&mut self, way: Vec<NodeId>, flow: Flow, values: Vec<Value>, origin: Origin) {
-        let all = way
-            .into_iter()
-            .map(Value::Choice)
-            .reduce(|all, one| self.both(BinaryOperator::And, all, one, origin));
-        if let Some(Value::Choice(weight)) = all {
-            self.exits.push(Exit { weight, flow, values, origin });
+        if let Some(weight) = self.all_of(way, origin) {
+            let open = self.sides.open().to_vec();
+            let (since, beside) = (self.path.len(), self.sides.another());
+            self.exits.push(Exit { weight, since, open, beside, flow, values, origin });
+        }
+    }
+
+    /// Counts a branch as the one that ways out of its sides begin with.
+    pub fn widen(&mut self, region: Region) {
+        let open = self.sides.open();
+        self.exits[region.exits..].iter_mut().for_each(|exit| exit.open = open.to_vec());
+    }
+
+    /// The condition that all of some conditions hold.
+    fn all_of(&mut self, conditions: impl IntoIterator<Item = NodeId>, origin: Origin) -> Option<NodeId> {
+        let conditions = conditions.into_iter().map(Value::Choice);
+        match conditions.reduce(|all, one| self.both(BinaryOperator::And, all, one, origin)) {
+            Some(Value::Choice(weight)) => Some(weight),
+            _ => None,
         }
     }
 
@@ -54,7 +79,7 @@ impl<'a> Interpreter<'a> {
     pub fn go_beside(&mut self, region: Region) {
         for exit in region.exits..self.exits.len() {
             let rest = self.opposite(self.exits[exit].weight);
-            self.enter_side(rest);
+            self.go_on(self.exits[exit].beside, rest);
         }
     }
 
@@ -75,15 +100,17 @@ impl<'a> Interpreter<'a> {
         }
         let (here, further): (Vec<Exit>, Vec<Exit>) =
             self.exits.split_off(region.exits).into_iter().partition(leads);
-        for Exit { weight, values, origin, .. } in here.into_iter().rev() {
+        let mark = self.sides.mark();
+        for Exit { weight, open, values, origin, .. } in here.into_iter().rev() {
             let after = self.scope.values();
             let merged = values
                 .iter()
                 .zip(&after)
-                .map(|(then, after)| self.merged(weight, [then, after], origin))
+                .map(|(then, after)| self.merged(weight, [then, after], &open, origin))
                 .collect();
             self.scope.restore(merged);
         }
+        self.sides.forget(mark);
         self.exits.extend(further);
         self.go_beside(region);
     }
@@ -104,21 +131,24 @@ impl<'a> Interpreter<'a> {
             Flow::Break(_) | Flow::Continue(_) => Value::Unknown,
         };
         self.leave_sides(region);
-        for Exit { weight, flow, origin: left, .. } in std::mem::take(&mut self.exits).into_iter().rev() {
+        let mark = self.sides.mark();
+        for Exit { weight, open, flow, origin: left, .. } in std::mem::take(&mut self.exits).into_iter().rev()
+        {
             let early = if let Flow::Return(early) = flow { early } else { Value::Unknown };
             let early = self.coerce(early, shape, left);
             let late = self.coerce(value, shape, origin);
-            value = self.merged(weight, [&early, &late], left);
+            value = self.merged(weight, [&early, &late], &open, left);
         }
+        self.sides.forget(mark);
         (self.path, self.exits) = outside;
         value
     }
 
-    /// w · `then` + w̄ · `after`, of which more may follow.
-    fn merged(&mut self, weight: NodeId, [then, after]: [&Value; 2], origin: Origin) -> Value {
+    /// w · `then` + w̄ · `after`, which an earlier exit may guard in its turn.
+    fn merged(&mut self, weight: NodeId, [then, after]: [&Value; 2], open: &[u32], origin: Origin) -> Value {
         let region = self.region();
         self.enter_side(weight);
-        let value = self.mixed(weight, then, after, origin);
+        let value = self.mixed(weight, [then, after], open, origin);
         self.leave_sides(region);
         value
     }

@@ -26,16 +26,21 @@ pub struct Sides {
 }
 
 impl Sides {
-    /// Begins a side of a graph that has so many nodes.
-    pub fn enter(&mut self, nodes: usize) {
+    /// A side that is not one of those so far.
+    pub fn another(&mut self) -> u32 {
         self.count += 1;
-        self.open.push(self.count);
-        self.since.push((nodes, self.count));
+        self.count
     }
 
-    /// The number of sides that are being evaluated.
-    pub fn depth(&self) -> usize {
-        self.open.len()
+    /// Begins a side, or goes on with it, where the graph has so many nodes.
+    pub fn enter(&mut self, side: u32, nodes: usize) {
+        self.open.push(side);
+        self.since.push((nodes, side));
+    }
+
+    /// The sides that are being evaluated, outer ones first.
+    pub fn open(&self) -> &[u32] {
+        &self.open
     }
 
     /// Ends all but the outermost ones.
@@ -44,22 +49,42 @@ impl Sides {
         self.since.push((nodes, self.open.last().copied().unwrap_or(0)));
     }
 
-    /// Whether a node was first made on a side that has ended.
-    fn has_ended(&self, node: NodeId) -> bool {
+    /// The present place in the history of sides.
+    pub fn mark(&self) -> usize {
+        self.since.len()
+    }
+
+    /// Counts what was made on sides since a mark as made outside of them.
+    pub fn forget(&mut self, mark: usize) {
+        let side = self.open.last().copied().unwrap_or(0);
+        self.since[mark..].iter_mut().for_each(|(_, made_on)| *made_on = side);
+    }
+
+    /// The innermost side on which a node was first made; zero for none.
+    fn of(&self, node: NodeId) -> u32 {
         let after = self.since.partition_point(|&(first, _)| first <= node.index());
-        let side = after.checked_sub(1).map_or(0, |last| self.since[last].1);
-        side != 0 && !self.open.contains(&side)
+        after.checked_sub(1).map_or(0, |last| self.since[last].1)
     }
 
     /// Values from a side that has ended, as numbers everywhere. The weight of that side is `weight` and that
-    /// of the others `rest`.
-    pub fn guarded(&self, graph: &mut Graph, values: &[NodeId], [weight, rest]: [NodeId; 2]) -> Vec<NodeId> {
-        if values.iter().all(|&value| !self.has_ended(value)) {
+    /// of the others `rest`. `open` are the sides in which both stand.
+    pub fn guarded(
+        &self,
+        graph: &mut Graph,
+        values: &[NodeId],
+        [weight, rest]: [NodeId; 2],
+        open: &[u32],
+    ) -> Vec<NodeId> {
+        let is_own = |node: NodeId| {
+            let side = self.of(node);
+            side != 0 && !open.contains(&side)
+        };
+        if values.iter().all(|&value| !is_own(value)) {
             return values.to_vec();
         }
         let mut guard = Guard { weight, rest, images: Lookup::default() };
         for node in graph.cone(values.iter().copied()) {
-            if self.has_ended(node) && !graph.dependence(node).is_fixed() {
+            if is_own(node) && !graph.dependence(node).is_fixed() {
                 let image = guard.image(graph, node);
                 if image != node {
                     guard.images.insert(node, image);

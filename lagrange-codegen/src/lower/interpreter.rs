@@ -44,13 +44,17 @@ pub enum Flow {
 /// A way out of a function or a loop that is taken where a condition holds.
 #[derive(Debug)]
 pub struct Exit {
-    /// The condition: of all branches on the way, and that no earlier exit was taken.
+    /// The condition, beside those that stand in the path before `since`: of all branches on the way, and
+    /// that no earlier exit was taken.
     pub weight: NodeId,
-    /// Where it leads.
+    /// The length of the path from which on the condition counts.
+    pub since: usize,
+    /// The sides in which its branch stands, and the one on which all goes on.
+    pub open: Vec<u32>,
+    pub beside: u32,
     pub flow: Flow,
     /// The values of all variables there.
     pub values: Vec<Value>,
-    /// Where the branch is written.
     pub origin: Origin,
 }
 
@@ -347,10 +351,9 @@ impl<'a> Interpreter<'a> {
 
     /// The value of an expression that must be a length or an index.
     pub fn length(&mut self, expr: &'a Expr) -> Option<usize> {
-        /// Longer arrays could not be unrolled anyway.
-        const LONGEST: usize = BUDGET;
         match usize::try_from(self.integer_of(expr)?) {
-            Ok(length) if length <= LONGEST => Some(length),
+            // Longer arrays could not be unrolled anyway.
+            Ok(length) if length <= BUDGET => Some(length),
             Ok(_) | Err(_) => {
                 self.report(expr.origin, catalogue::integer_overflow());
                 None

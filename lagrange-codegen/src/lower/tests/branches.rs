@@ -1,5 +1,6 @@
 //! Branches on the state: the same tokens are compiled by rustc and run by the interpreter, at many states.
 
+use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::{lowered, value_at};
@@ -97,4 +98,36 @@ fn loops_end_early() {
             s += 10.0;
         }
         s);
+}
+
+/// The sizes of the graph of a body over 8 and over 16 coordinates.
+fn sizes(body: &TokenStream) -> [usize; 2] {
+    [8_usize, 16].map(|count| {
+        let model = lowered(
+            quote!(coordinates = [a: [#count]]),
+            quote!(impl System { #[lagrangian] fn energy(&self, q: &Coordinates) -> f64 { #body } }),
+        );
+        model.unwrap_or_else(|messages| panic!("{messages:?}")).graph.size()
+    })
+}
+
+#[test]
+fn the_size_grows_with_the_number_of_turns() {
+    for body in [
+        quote!(let mut s = 0.0; for a in q.a { if a >= 0.0 { s += a.sqrt(); } } s),
+        quote!(let mut s = 0.0; for a in q.a { if a < 0.0 { continue; } s += a.sqrt(); } s),
+        quote!(let mut s = 0.0; for a in q.a { if a < 0.0 { s += 1.0; continue; } s += a.sqrt(); } s),
+    ] {
+        let [size, twice] = sizes(&body);
+        assert!(twice < 3 * size, "{size}, {twice}: {body}");
+    }
+    // Each turn is guarded against all ways out before it.
+    for body in [
+        quote!(let mut s = 0.0; for a in q.a { if a < 0.0 { break; } s += a.sqrt(); } s),
+        quote!(let mut s = 0.0; for a in q.a { if a < 0.0 { return s; } s += a.sqrt(); } s),
+        quote!(let mut s = 0.0; for a in q.a { if a < 0.0 { continue; } if a > 1.0 { return s; } s += a; } s),
+    ] {
+        let [size, twice] = sizes(&body);
+        assert!(twice < 5 * size, "{size}, {twice}: {body}");
+    }
 }
