@@ -112,7 +112,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     if diagnostics.has_errors() {
         return None;
     }
-    let jets = jets::derive(&mut model, solved);
+    let jets = jets::derive(&mut model, solved, &[]);
     let orders = jets.as_ref().map(|jets| Expansions::plan(&mut model, solved, &solution, jets));
     contacts_stand_alone(item, &model, diagnostics);
     let switching =

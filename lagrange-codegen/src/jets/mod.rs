@@ -30,6 +30,7 @@ mod followed;
 mod parts;
 mod recurrence;
 mod rewriting;
+mod sides;
 mod steep;
 
 use crate::expr::{Graph, NodeId};
@@ -44,6 +45,7 @@ use conditions::Restrictions;
 pub use followed::Along;
 pub use recurrence::{Coefficient, Convolution, Jets, Operand, Series};
 use rewriting::{contract_angles, meet_flows};
+pub use sides::Switch;
 
 /// The most convolutions whose outermost terms are kept out of the tables. The sweep over these terms would
 /// wait for the row just written; with more convolutions there is other work in between.
@@ -53,15 +55,19 @@ pub const FEW: usize = 16;
 /// of larger systems only the plainest are made.
 const COMPARABLE: usize = 4_000;
 
-/// The recurrences of a system; `None` if its equations have kinks or jumps, where no series exists.
-pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
+/// The recurrences of a system on the sides of its switches; `None` if its equations have kinks or jumps,
+/// where no series exists.
+pub fn derive(model: &mut Model, equations: &Equations, switches: &[Switch]) -> Option<Jets> {
     let count = equations.momenta.len();
     let conditions = &equations.conditions;
     let mut roots: Vec<NodeId> = equations.momenta.iter().chain(&equations.momentum_rates).copied().collect();
     let restrictions = Restrictions::of(&mut model.graph, conditions, count);
     roots.extend(restrictions.reactions.iter().chain(&restrictions.rates));
     roots.extend(conditions.relaxation.iter().flatten());
-    let is_steep = steep::is_steep(&model.graph, &roots);
+    let is_steep = steep::is_steep(&mut model.graph, &roots, switches);
+    if sides::rest_at_a_root(&mut model.graph, &roots, switches) {
+        return None;
+    }
     let (followed, along) = followed::of(&mut model.graph, equations);
     roots.extend(&followed);
     let counts = Counts {

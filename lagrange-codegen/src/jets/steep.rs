@@ -4,27 +4,35 @@
 //! a few of its widths away, and the series there does not show it. Sines, cosines and the powers of
 //! gravitation are as large as anything else wherever a series starts.
 
+use super::sides::{Switch, forms};
 use crate::expr::{Binary, Exponent, Graph, Node, NodeId, Unary};
 
 /// Powers below this one, in halves, are steep: r⁻⁴, or the same of a squared distance.
 const STEEPEST: i32 = -8;
 
 /// Whether the equations contain such a function.
-pub(super) fn is_steep(graph: &Graph, roots: &[NodeId]) -> bool {
+pub(super) fn is_steep(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -> bool {
     graph.cone(roots.iter().copied()).into_iter().any(|id| {
         !graph.dependence(id).is_fixed()
-            && match graph.node(id) {
-                Node::Unary(function, _) => hides(*function),
+            && match graph.node(id).clone() {
+                Node::Unary(function, _) => hides(function),
                 Node::Binary(function, ..) => match function {
                     Binary::Powf | Binary::PowfLn | Binary::Atan2 => true,
                     Binary::Pivot => false,
                 },
                 Node::Product(factors) => {
-                    factors.iter().any(|&(base, exponent)| is_steep_power(graph, base, exponent))
+                    factors.into_iter().any(|(base, power)| is_steep_somewhere(graph, base, power, switches))
                 }
                 Node::Constant(_) | Node::Variable(_) | Node::Sum { .. } => false,
             }
     })
+}
+
+/// Whether a power is steep on some side of the switches in its base.
+fn is_steep_somewhere(graph: &mut Graph, base: NodeId, exponent: Exponent, switches: &[Switch]) -> bool {
+    is_steep_power(graph, base, exponent)
+        && forms(graph, base, switches, &|_, _| [true; 2])
+            .is_none_or(|forms| forms.into_iter().any(|form| is_steep_power(graph, form, exponent)))
 }
 
 fn hides(function: Unary) -> bool {
@@ -116,7 +124,12 @@ mod tests {
             (graph.powi(smoothed, -1), true),
             (exp, true),
         ] {
-            assert_eq!(is_steep(&graph, &[node]), expected, "{}", graph.print(node, &|v| format!("{v:?}")));
+            assert_eq!(
+                is_steep(&mut graph, &[node], &[]),
+                expected,
+                "{}",
+                graph.print(node, &|v| format!("{v:?}"))
+            );
         }
     }
 }

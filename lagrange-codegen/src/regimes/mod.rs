@@ -177,7 +177,8 @@ pub fn derive(
     let solved = turned.as_ref().unwrap_or(&equations);
     let of_solved = Facts::of(&regime, solved);
     let solution = Solution::plan(&mut regime, (&equations, &facts), (solved, &of_solved), diagnostics)?;
-    let jets = jets::derive(&mut regime, solved);
+    let sides: Vec<jets::Switch> = switches.kinks.iter().copied().zip(guards.kinks.iter().copied()).collect();
+    let jets = jets::derive(&mut regime, solved, &sides);
     let orders = jets.as_ref().map(|jets| Expansions::plan(&mut regime, solved, &solution, jets));
     if contacts.is_empty() && jets.is_none() {
         return None;

@@ -29,6 +29,7 @@ where
         if guards.is_empty() {
             return Ok(None);
         }
+        guards.cross(&memory.flips);
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
         let (mut fall, mut known) = (None, one);
         if let Some(terms) = terms {

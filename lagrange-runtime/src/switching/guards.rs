@@ -378,7 +378,7 @@ where
             if S::ROWS.get(row) == Some(&Row::Unilateral) && self.regime.active.get(row) == Some(&false));
         let memory = if start.0 > noise {
             Memory::Side(Side::Above)
-        } else if start.0 >= -noise || is_gap {
+        } else if start.0 >= -noise || is_gap || self.has_crossed(guard) {
             // A regime that has just begun begins at zero.
             Memory::Zero(Some(Side::Above))
         } else {

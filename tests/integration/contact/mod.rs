@@ -2,6 +2,7 @@
 
 mod balls;
 mod bearings;
+mod coincident;
 mod corners;
 mod directions;
 mod edges;

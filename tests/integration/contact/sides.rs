@@ -150,11 +150,10 @@ fn the_side_that_is_not_taken_need_not_be_a_number() {
     assert!(end.q[5] > 2.0 && end.q[7] > 0.0 && end.q[8] > 2.25 && end.q[9] > 1.3 && end.q[10] > 2.25);
 }
 
-/// A jumper on a rope that is slack up to its length, and a drag that has no direction at rest.
+/// A jumper on a rope that is slack up to its length.
 struct Jumper {
     length: f64,
     stiffness: f64,
-    drag: f64,
 }
 
 #[lagrangian(coordinates = [x, y])]
@@ -177,34 +176,22 @@ impl Jumper {
         }
         0.5 * self.stiffness * (square.sqrt() - self.length).powi(2)
     }
-
-    #[force(at = jumper)]
-    fn air(&self, v: &Velocities) -> Vector2<f64> {
-        let velocity = Vector2::new(v.x, v.y);
-        if velocity.norm_squared() > 0.0 { velocity.normalize() * -self.drag } else { Vector2::zeros() }
-    }
 }
 
 #[test]
 fn functions_that_return_early_are_those_of_rust() {
-    let jumper = Jumper { length: 2.0, stiffness: 30.0, drag: 0.0 };
+    let jumper = Jumper { length: 2.0, stiffness: 30.0 };
     // From the pivot, where the length of the rope has no derivative.
     let start = State::new([0.0, 0.0], [1.0, 0.0]);
     let mut motion = jumper.simulate(start).with_tolerance(1e-12);
     let falls = *motion.advance_to(0.5).unwrap();
-    assert_eq!((falls.q, falls.v), ([0.5, -1.25], [1.0, -5.0]));
+    for (value, exact) in falls.q.into_iter().chain(falls.v).zip([0.5, -1.25, 1.0, -5.0]) {
+        assert!((value - exact).abs() < 1e-11, "{falls:?}");
+    }
     for i in 1..=40 {
         let state = *motion.advance_to(0.5 + 0.25 * f64::from(i)).unwrap();
         assert!((jumper.energy(&state) - 0.5).abs() < 1e-10, "{state:?}");
     }
-}
-
-#[test]
-fn at_equality_a_comparison_is_that_of_rust() {
-    let jumper = Jumper { length: 2.0, stiffness: 30.0, drag: 0.5 };
-    let at = |v| jumper.accelerations(&State::new([0.0, 0.0], v)).unwrap();
-    assert_eq!(at([0.0, 0.0]), [0.0, -10.0]);
-    assert_eq!(at([-0.0, 2.0]), [0.0, -10.5]);
 }
 
 /// Particles of which each pair repels while it is close.

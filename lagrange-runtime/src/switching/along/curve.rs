@@ -88,7 +88,9 @@ where
     pub(super) fn before(&self, guard: Guard, curve: &Taylor<S::Scalar>, fired: Option<Guard>) -> Before {
         let is_held = matches!(guard, Guard::Row(row)
             if S::ROWS[row] == Row::Unilateral || self.is_reaction(row));
-        let begins = fired == Some(guard) || is_held && curve.start() < num_traits::Zero::zero();
+        let begins = fired == Some(guard)
+            || self.has_crossed(guard)
+            || is_held && curve.start() < num_traits::Zero::zero();
         if begins { Before::Zero } else { Before::Unknown }
     }
 }

@@ -66,8 +66,8 @@ where
         }
     }
 
-    /// Whether a guard stays above zero after the start of the step, as far as its polynomial and its end
-    /// show that without parts of the step.
+    /// Whether a guard stays above zero after the start of the step, or at zero, as far as its polynomial and
+    /// its end show that without parts of the step.
     pub(super) fn keeps_away(
         &self,
         guard: Guard,
@@ -83,7 +83,9 @@ where
                 (curve.end() - ends.end.get(guard).part(0)).abs() <= course.allowed() * curve.extent()
             };
             let (before, short) = (self.before(guard, &curve, fired), curve.shortened(DEGREE));
-            converges && (stays_above(&short) || rises(&short, before))
+            // A switching function that is zero without roundings is that of something at rest.
+            let rests = matches!(guard, Guard::Kink(_)) && curve.extent() == num_traits::Zero::zero();
+            converges && (rests || stays_above(&short) || rises(&short, before))
         })
     }
 }

@@ -14,6 +14,9 @@ pub(in crate::switching) struct Watch<R, const C: usize, const W: usize> {
     pub(super) directions: [R; C],
     /// Kinks that are watched.
     pub(super) kinks: [bool; W],
+    /// Kinks that the motion has crossed where the step starts. Their guards are zero there: another kink may
+    /// be crossed at the same time, so that roundings are all that is left of them.
+    crossed: [bool; W],
     /// Rows and kinks whose guards are sampled, without a series that converges on the step.
     sampled: ([bool; C], [bool; W]),
 }
@@ -22,7 +25,7 @@ impl<R: Real, const C: usize, const W: usize> Watch<R, C, W> {
     /// All kinks are watched and no row yet, by samples or not.
     pub(super) fn new(by_samples: bool) -> Self {
         let sampled = ([by_samples; C], [by_samples; W]);
-        Self { rows: [false; C], directions: [R::zero(); C], kinks: [true; W], sampled }
+        Self { rows: [false; C], directions: [R::zero(); C], kinks: [true; W], crossed: [false; W], sampled }
     }
 
     /// Whether a guard is sampled.
@@ -60,6 +63,16 @@ where
     /// Whether a guard is watched.
     pub(in crate::switching) fn has(&self, guard: Guard) -> bool {
         self.watch.has(guard)
+    }
+
+    /// Notes the kinks that the motion has crossed where the step starts, by how often.
+    pub(in crate::switching) fn cross(&mut self, flips: &[usize; W]) {
+        self.watch.crossed = flips.map(|flips| flips > 0);
+    }
+
+    /// Whether a guard is that of a kink that the motion has crossed where the step starts.
+    pub(in crate::switching) fn has_crossed(&self, guard: Guard) -> bool {
+        matches!(guard, Guard::Kink(kink) if self.watch.crossed.get(kink) == Some(&true))
     }
 
     /// Stops watching a guard.
