@@ -3,7 +3,7 @@
 //! A base that is guarded where a branch is not taken, w s + 1 − w, has two forms: s, and the number 1.
 
 use crate::calculus::substitute;
-use crate::expr::{Dependence, Exponent, Graph, Node, NodeId, Unary, Variable};
+use crate::expr::{Binary, Dependence, Exponent, Graph, Node, NodeId, Unary, Variable};
 
 /// The most switches of a base whose sides are all looked at.
 const MOST: usize = 6;
@@ -28,7 +28,9 @@ pub(super) fn rest_at_a_root(graph: &mut Graph, roots: &[NodeId], switches: &[Sw
                 let is_root = |(_, exponent): &&(NodeId, Exponent)| exponent.as_integer().is_none();
                 bases.extend(factors.iter().filter(is_root).map(|&(base, _)| base));
             }
-            &Node::Unary(Unary::Cbrt, base) | &Node::Binary(_, base, _) => bases.push(base),
+            &Node::Unary(Unary::Cbrt, base) | &Node::Binary(Binary::Powf | Binary::PowfLn, base, _) => {
+                bases.push(base);
+            }
             _ => {}
         }
     }

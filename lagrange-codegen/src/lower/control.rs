@@ -25,8 +25,8 @@ impl<'a> Interpreter<'a> {
             }
             Value::Unknown => None,
             Value::Parameter(id) => {
-                let text = format!("the parameter `{}`", self.parameters.text(id));
-                self.report(expr.origin, catalogue::branch_on_variable(text, self.smooth_thing()));
+                let text = self.parameters.text(id).to_string();
+                self.report(expr.origin, catalogue::branch_on_parameter(text));
                 None
             }
             other => {

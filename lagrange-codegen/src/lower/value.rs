@@ -151,7 +151,8 @@ impl Value {
         match self {
             Value::Unknown => "an unknown value".into(),
             Value::Unit => "`()`".into(),
-            Value::Boolean(_) | Value::Choice(_) => "a `bool`".into(),
+            Value::Boolean(_) => "a `bool`".into(),
+            Value::Choice(_) => "a condition known at run time".into(),
             Value::Integer(..) => "an integer".into(),
             Value::Scalar(..) => "a scalar".into(),
             Value::Parameter(_) => "a parameter".into(),

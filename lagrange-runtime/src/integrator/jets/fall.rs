@@ -86,16 +86,18 @@ pub(crate) fn predicted<R: Real>(orders: usize, term: impl Fn(usize) -> R) -> R 
     for (k, logarithm) in (1..).zip(logarithms.iter_mut()) {
         *logarithm = term(k).max(least).ln();
     }
+    // Divided as scalars: a program in single precision has no doubles.
+    let number = |count: usize| R::from_f64(count as f64);
     let mut largest = least.ln();
     for (at, &here) in logarithms.iter().enumerate().skip((orders / 2).saturating_sub(1)) {
         let k = at + 1;
         // The mean fall from an earlier order to this one: that from the last vertex where this is one, too.
         let before = logarithms.iter().take(at).enumerate();
-        let fall = |(j, &there): (usize, &R)| (there - here) * R::from_f64(1.0 / (at - j) as f64);
+        let fall = |(j, &there): (usize, &R)| (there - here) / number(at - j);
         let Some(steepest) = before.map(fall).reduce(R::max) else { continue };
         // The mean of the orders that follow, over this one: at least the geometric mean of their ratios.
-        let rise = R::from_f64((orders + k + 1) as f64 / (2 * k) as f64).ln();
-        largest = largest.max(here - R::from_f64((orders - k) as f64) * (steepest + rise));
+        let rise = (number(orders + k + 1) / number(2 * k)).ln();
+        largest = largest.max(here - number(orders - k) * (steepest + rise));
     }
     largest.exp()
 }
