@@ -10,7 +10,9 @@
 //!   and ẋ of a rod);
 //! * any other y = f(x₁, …) satisfies y′ = Σ ∂f/∂xᵢ · xᵢ′, taken on the series of xᵢ.
 
-use crate::calculus::{derivative, partial_derivatives, pushforward, substitute, velocity_degrees};
+use super::Scope;
+use super::sides::{self, Switch};
+use crate::calculus::{derivative, partial_derivatives, pushforward, velocity_degrees};
 use crate::collections::Lookup;
 use crate::expr::{Binary, Dependence, Exponent, Graph, Node, NodeId, Unary, Variable};
 use crate::kinematics::turning_direction;
@@ -64,6 +66,7 @@ pub(super) struct Rewriter<'g> {
     pub graph: &'g mut Graph,
     /// The direction (v, 0, 1) of (q, v, t).
     direction: Vec<(NodeId, NodeId)>,
+    switches: &'g [Switch],
     /// The rate of each variable.
     pub rates: Lookup<NodeId, NodeId>,
     images: Lookup<NodeId, NodeId>,
@@ -76,14 +79,14 @@ pub(super) struct Rewriter<'g> {
 pub(super) struct NotSmooth;
 
 impl<'g> Rewriter<'g> {
-    /// A rewriter for a system with `coordinates`. The matrices of the orientations `turning` are variables.
-    pub fn new(graph: &'g mut Graph, coordinates: usize, turning: &[usize]) -> Self {
-        let direction = turning_direction(graph, coordinates, turning);
+    pub fn new(graph: &'g mut Graph, scope: Scope<'g>) -> Self {
+        let direction = turning_direction(graph, scope.coordinates, scope.turning);
         let mut rates = Lookup::default();
         direction.iter().for_each(|&(variable, rate)| _ = rates.insert(variable, rate));
         Rewriter {
             graph,
             direction,
+            switches: scope.switches,
             rates,
             images: Lookup::default(),
             powers: Lookup::default(),
@@ -153,22 +156,12 @@ impl<'g> Rewriter<'g> {
         })
     }
 
-    /// Whether a node is 0 wherever the system is at rest. Such is the speed in a drag force, whose root has
-    /// a kink at rest.
+    /// Whether the root of a node has a kink at rest.
     fn rests_at_zero(&mut self, id: NodeId) -> bool {
-        if !self.graph.dependence(id).meets(Dependence::VELOCITIES) {
-            return self.graph.is_zero(id);
-        }
-        let zero = self.graph.zero();
-        let velocities: Vec<_> = self
-            .direction
-            .iter()
-            .map(|&(_, rate)| rate)
-            .filter(|&rate| self.graph.dependence(rate).meets(Dependence::VELOCITIES))
-            .map(|velocity| (velocity, zero))
-            .collect();
-        let at_rest = substitute(self.graph, &[id], &velocities)[0];
-        self.graph.is_zero(at_rest)
+        let rates = self.direction.iter().map(|&(_, rate)| rate);
+        let velocities: Vec<NodeId> =
+            rates.filter(|&rate| self.graph.dependence(rate).meets(Dependence::VELOCITIES)).collect();
+        sides::rests_at_zero(self.graph, id, &velocities, self.switches)
     }
 
     fn power_of(&mut self, base: NodeId, exponent: Exponent) -> NodeId {

@@ -1,5 +1,6 @@
 //! Functions of the state that are followed along the motion, as outputs of its recurrences.
 
+use super::Scope;
 use super::auxiliary::Rewriter;
 use crate::expr::{Dependence, Graph, NodeId};
 use crate::mechanics::Equations;
@@ -16,8 +17,7 @@ pub enum Along {
 }
 
 /// The functions that are followed along the motion, each once, and how each function is known.
-pub(super) fn of(graph: &mut Graph, equations: &Equations) -> (Vec<NodeId>, Vec<Along>) {
-    let count = equations.momenta.len();
+pub(super) fn of(graph: &mut Graph, equations: &Equations, scope: Scope) -> (Vec<NodeId>, Vec<Along>) {
     let moving = Dependence::COORDINATES.union(Dependence::VELOCITIES).union(Dependence::TIME);
     let mut followed: Vec<NodeId> = Vec::new();
     let along = equations.followed.iter().map(|&function| {
@@ -27,7 +27,7 @@ pub(super) fn of(graph: &mut Graph, equations: &Equations) -> (Vec<NodeId>, Vec<
         if let Some(index) = followed.iter().position(|&known| known == function) {
             return Along::Series(index);
         }
-        if Rewriter::new(graph, count, &equations.turning).polynomials(&[function]).is_err() {
+        if Rewriter::new(graph, scope).polynomials(&[function]).is_err() {
             return Along::Unknown;
         }
         followed.push(function);

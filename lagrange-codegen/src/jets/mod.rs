@@ -64,11 +64,9 @@ pub fn derive(model: &mut Model, equations: &Equations, switches: &[Switch]) -> 
     let restrictions = Restrictions::of(&mut model.graph, conditions, count);
     roots.extend(restrictions.reactions.iter().chain(&restrictions.rates));
     roots.extend(conditions.relaxation.iter().flatten());
+    let scope = Scope { coordinates: count, turning: &equations.turning, switches };
     let is_steep = steep::is_steep(&mut model.graph, &roots, switches);
-    if sides::rest_at_a_root(&mut model.graph, &roots, switches) {
-        return None;
-    }
-    let (followed, along) = followed::of(&mut model.graph, equations);
+    let (followed, along) = followed::of(&mut model.graph, equations, scope);
     roots.extend(&followed);
     let counts = Counts {
         coordinates: count,
@@ -91,7 +89,7 @@ pub fn derive(model: &mut Model, equations: &Equations, switches: &[Switch]) -> 
         for by_parts in [false, true] {
             for meeting in [false, true] {
                 let proposal = Proposal { by_parts, meeting };
-                let jets = recurrences(&mut model.graph, counts, &equations.turning, &form, proposal).ok()?;
+                let jets = recurrences(&mut model.graph, counts, scope, &form, proposal).ok()?;
                 // With few products an order takes as long as the path from its velocities to its sums. The
                 // rates b′ make that path longer.
                 if let Some(jets) = jets
@@ -109,6 +107,15 @@ pub fn derive(model: &mut Model, equations: &Equations, switches: &[Switch]) -> 
         jets.along = along;
     }
     best
+}
+
+/// What the series of a system have in common.
+#[derive(Clone, Copy)]
+struct Scope<'a> {
+    coordinates: usize,
+    /// The orientations whose matrices are variables.
+    turning: &'a [usize],
+    switches: &'a [Switch],
 }
 
 /// The number of roots of each kind.
@@ -136,11 +143,11 @@ struct Proposal {
 fn recurrences(
     graph: &mut Graph,
     counts: Counts,
-    turning: &[usize],
+    scope: Scope,
     roots: &[NodeId],
     Proposal { by_parts, meeting }: Proposal,
 ) -> Result<Option<Jets>, NotSmooth> {
-    let mut rewriter = Rewriter::new(graph, counts.coordinates, turning);
+    let mut rewriter = Rewriter::new(graph, scope);
     let mut polynomials = rewriter.polynomials(roots)?;
     let mut auxiliaries = std::mem::take(&mut rewriter.auxiliaries);
     if by_parts {

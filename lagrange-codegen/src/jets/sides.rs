@@ -1,9 +1,9 @@
-//! Roots and powers on the sides of switches.
+//! Functions on the sides of switches.
 //!
 //! A base that is guarded where a branch is not taken, w s + 1 − w, has two forms: s, and the number 1.
 
 use crate::calculus::substitute;
-use crate::expr::{Binary, Dependence, Exponent, Graph, Node, NodeId, Unary, Variable};
+use crate::expr::{Dependence, Graph, NodeId};
 
 /// The most switches of a base whose sides are all looked at.
 const MOST: usize = 6;
@@ -11,46 +11,32 @@ const MOST: usize = 6;
 /// A switch: its side, one or minus one, and its argument.
 pub type Switch = (NodeId, NodeId);
 
-/// Whether the base of a root is zero wherever the system is at rest, on a side that is taken there.
-pub(super) fn rest_at_a_root(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -> bool {
-    if switches.is_empty() {
-        return false;
+/// Whether a node is zero wherever the system is at rest, on a side of its switches that is taken there. Such
+/// is the speed in a drag force, whose root has a kink at rest. `velocities` are those of the system.
+pub(super) fn rests_at_zero(
+    graph: &mut Graph,
+    node: NodeId,
+    velocities: &[NodeId],
+    switches: &[Switch],
+) -> bool {
+    if !graph.dependence(node).meets(Dependence::VELOCITIES) {
+        return graph.is_zero(node);
     }
-    let velocities: Vec<(NodeId, NodeId)> = {
-        let zero = graph.zero();
-        let is_velocity = |&id: &NodeId| matches!(graph.node(id), Node::Variable(Variable::Velocity(_)));
-        graph.cone(roots.iter().copied()).into_iter().filter(is_velocity).map(|id| (id, zero)).collect()
-    };
-    let mut bases = Vec::new();
-    for id in graph.cone(roots.iter().copied()) {
-        match graph.node(id) {
-            Node::Product(factors) => {
-                let is_root = |(_, exponent): &&(NodeId, Exponent)| exponent.as_integer().is_none();
-                bases.extend(factors.iter().filter(is_root).map(|&(base, _)| base));
-            }
-            &Node::Unary(Unary::Cbrt, base) | &Node::Binary(Binary::Powf | Binary::PowfLn, base, _) => {
-                bases.push(base);
-            }
-            _ => {}
+    let zero = graph.zero();
+    let rest: Vec<(NodeId, NodeId)> = velocities.iter().map(|&velocity| (velocity, zero)).collect();
+    let at_rest = |graph: &mut Graph, argument: NodeId| {
+        let argument = substitute(graph, &[argument], &rest)[0];
+        match graph.as_constant(argument) {
+            Some(number) if number.is_zero() => [true; 2],
+            Some(number) => [!number.is_negative(), number.is_negative()],
+            // A bound of a speed, as a parameter is, is not zero.
+            None => [!graph.dependence(argument).is_fixed(); 2],
         }
-    }
-    bases.retain(|&base| graph.dependence(base).meets(Dependence::VELOCITIES));
-    bases.dedup();
-    bases.into_iter().any(|base| {
-        let at_rest = |graph: &mut Graph, argument: NodeId| {
-            let argument = substitute(graph, &[argument], &velocities)[0];
-            match graph.as_constant(argument) {
-                Some(number) if number.is_zero() => [true; 2],
-                Some(number) => [!number.is_negative(), number.is_negative()],
-                // A bound of a speed, as a parameter is, is not zero.
-                None => [!graph.dependence(argument).is_fixed(); 2],
-            }
-        };
-        let forms = forms(graph, base, switches, &at_rest).unwrap_or_default();
-        forms.into_iter().any(|form| {
-            let there = substitute(graph, &[form], &velocities)[0];
-            graph.dependence(form).meets(Dependence::VELOCITIES) && graph.is_zero(there)
-        })
+    };
+    let forms = forms(graph, node, switches, &at_rest).unwrap_or_else(|| vec![node]);
+    forms.into_iter().any(|form| {
+        let there = substitute(graph, &[form], &rest)[0];
+        graph.dependence(form).meets(Dependence::VELOCITIES) && graph.is_zero(there)
     })
 }
 

@@ -2,6 +2,7 @@
 
 use super::choice::{Choice, sides};
 use super::scene::{Known, Scales, Scene};
+use super::shares::Sticking;
 use super::{Regime, Row, Switching};
 use crate::number::real::Real;
 use crate::system::System;
@@ -87,6 +88,6 @@ where
         return (multipliers, true);
     }
     let drags = scene.drags(&bearing, v);
-    let shortest = scene.shortest(&bearing, &drags, &multipliers);
+    let shortest = scene.shortest(&bearing, &drags, &multipliers, Sticking::ByForces);
     (shortest.map_or(multipliers, |shortest| with_slips(&bearing, &drags, shortest)), false)
 }

@@ -48,11 +48,7 @@ where
         {
             return Err(Cause::SwitchesCoincide { name: S::NAMES.constraint(row), other: Name::NONE });
         }
-        if state.t == self.memory.end.t {
-            self.enter(regime, state);
-        } else {
-            (self.memory.start, self.memory.next) = (self.memory.end, Some((regime, state)));
-        }
+        self.go_on(regime, state);
         self.memory.fired = None;
         let counts = &mut self.memory.counts;
         counts.evaluations += 1;

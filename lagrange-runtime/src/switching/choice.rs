@@ -8,7 +8,8 @@
 //! Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapters 5 and 7.
 
 use super::scene::{Scene, Status, above, entry, extent, most, product, rounding};
-use super::trials::{Options, Part, combine, regime};
+use super::shares::Sticking;
+use super::trials::{Options, Part, combine, parts_at, regime};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::linear::SaddlePoint;
@@ -171,14 +172,17 @@ where
         let (mut balance, sizes) = self.balance(&regime, &velocities)?;
         // Where rows depend on each other there are other reactions as well.
         if balance.independence.rank < balance.independence.rows
-            && let Some(shortest) =
-                self.shortest(&regime, &self.drags(&regime, &velocities), &balance.multipliers)
+            && let drags = self.drags(&regime, &velocities)
+            && let Some(shortest) = self.shortest(&regime, &drags, &balance.multipliers, Sticking::ByForces)
         {
             balance.multipliers = shortest;
         }
         let zero = num_traits::Zero::zero();
-        let later =
-            if has_begun { self.later(&begins, &velocities, &balance, &sizes).unwrap_or(zero) } else { zero };
+        let later = if has_begun {
+            self.later(&regime, &begins, &velocities, &balance, &sizes).unwrap_or(zero)
+        } else {
+            zero
+        };
         Some(Choice {
             regime,
             velocities,
@@ -205,11 +209,13 @@ where
         }
         let mut forces = equations.forces.each(|force: S::Scalar| force.abs());
         for (row, gradient) in self.gradients.iter().enumerate() {
-            // A friction of given size is among the forces, and may balance the others.
+            // A friction that slips is among the forces, and may balance the others, in any direction.
             let given = match S::ROWS.get(row) {
-                Some(Row::Friction { normal: None, pair }) => {
+                Some(&Row::Friction { normal, pair }) => {
                     let slip = entry(&regime.slip, pair.map_or(row, |other| row.min(other)));
-                    entry(&self.against(slip).kinetic, row) * slip.abs()
+                    let load = normal
+                        .map_or(num_traits::One::one(), |normal| entry(&balance.multipliers, normal).abs());
+                    entry(&self.against(slip).kinetic, row) * slip.abs() * load
                 }
                 _ => num_traits::Zero::zero(),
             };
@@ -238,7 +244,9 @@ where
         decided: Option<usize>,
     ) -> Result<(), usize> {
         let zero: S::Scalar = num_traits::Zero::zero();
-        let sizes = &trial.sizes;
+        // Beyond the first threshold, errors are those of the largest force, wherever it acts.
+        let is_whole = above(part, rounding());
+        let sizes = &if is_whole { trial.sizes.levelled(&self.units) } else { trial.sizes };
         let scale = |row: usize| {
             let Some(gradient) = self.gradients.get(row) else { return zero };
             let squares = product(gradient, gradient);
@@ -274,7 +282,10 @@ where
                 (Row::Unilateral, _) if self.status[row] != Status::Apart => !above(-play, rate),
                 (Row::Friction { normal, pair }, _) if trial.regime.active[row] => {
                     let limit = self.limit(row, *normal, &trial.multipliers);
-                    let other = pair.map_or(zero, |other| entry(&trial.multipliers, other));
+                    let (other, slack) = match *pair {
+                        Some(other) => (entry(&trial.multipliers, other), most(slack, part * scale(other))),
+                        None => (zero, slack),
+                    };
                     !above(reaction.hypot(other), limit * (S::Scalar::from_f64(1.0) + part) + slack)
                 }
                 (Row::Friction { pair, .. }, _) => {
@@ -307,43 +318,6 @@ where
         let coefficient = entry(&self.against(-entry(multipliers, row)).fixed, row);
         normal.map_or(coefficient, |normal| coefficient * entry(multipliers, normal).abs())
     }
-
-    /// The contact at which the reactions of two regimes differ, if the motion differs.
-    fn differs(&self, a: &Choice<S::Scalar, N, C, W>, b: &Choice<S::Scalar, N, C, W>) -> Option<usize> {
-        let row = parts_at(&S::ROWS, &a.regime, &b.regime)?;
-        let part = S::Scalar::epsilon().sqrt();
-        let apart = (0..N).any(|i| {
-            let difference = (a.accelerations[i] - b.accelerations[i]).abs();
-            above(difference, part * (a.sizes.accelerations[i] + b.sizes.accelerations[i]))
-        });
-        (apart && self.are_certain(row, a) && self.are_certain(row, b)).then_some(row)
-    }
-
-    /// Whether a contact reacts or opens by more than the threshold of a tie.
-    fn are_certain(&self, row: usize, choice: &Choice<S::Scalar, N, C, W>) -> bool {
-        let part = S::Scalar::epsilon().sqrt();
-        let sizes = &choice.sizes;
-        let gradient = &self.gradients[row];
-        if choice.regime.active[row] {
-            let squares = product(gradient, gradient);
-            above(choice.multipliers[row].abs() * squares, part * extent(gradient, &sizes.forces))
-        } else {
-            let size = extent(gradient, &sizes.accelerations) + self.gamma[row].abs();
-            above(self.rate(row, &choice.accelerations), part * size)
-        }
-    }
-}
-
-/// The first contact or constraint that reacts otherwise in one regime than in another.
-fn parts_at<R: Real, const C: usize, const W: usize>(
-    rows: &[Row; C],
-    a: &Regime<R, C, W>,
-    b: &Regime<R, C, W>,
-) -> Option<usize> {
-    let reacts = |regime: &Regime<R, C, W>, row: usize| (regime.active[row], regime.side[row]);
-    rows.iter()
-        .enumerate()
-        .position(|(row, kind)| !matches!(kind, Row::Friction { .. }) && reacts(a, row) != reacts(b, row))
 }
 
 /// Accelerations and multipliers, and the sizes of their terms.
@@ -354,6 +328,19 @@ pub(super) type Balanced<R, const N: usize, const C: usize> = (Balance<R, N, C>,
 pub(super) struct Sizes<R, const N: usize> {
     pub(super) forces: [R; N],
     pub(super) accelerations: [R; N],
+}
+
+impl<R: Real, const N: usize> Sizes<R, N> {
+    /// The same size of all forces, and of all accelerations, in units in which no coordinate is larger than
+    /// another: the largest force alone.
+    pub(super) fn levelled(&self, units: &[R; N]) -> Self {
+        let sizes = self.forces.iter().zip(units).map(|(&force, &unit)| force * unit);
+        let largest = sizes.fold(R::zero(), most);
+        Self {
+            forces: array(|i| if units[i].is_positive() { largest / units[i] } else { self.forces[i] }),
+            accelerations: array(|i| most(self.accelerations[i], largest * units[i])),
+        }
+    }
 }
 
 /// The first friction that slips and is driven by a load.

@@ -301,8 +301,9 @@ where
                         earliest = Some((place, guard));
                     }
                     Ok(_) => {}
-                    // No polynomial knows the distance from a centre at the centre.
-                    Err(_) if width <= shortest && is_clear(|place| values(place).get(guard).0) => {}
+                    // No polynomial knows the distance from a centre at the centre, or follows the errors of a
+                    // reaction that drives a slow slip.
+                    Err(_) if is_clear(|place| values(place).get(guard).0) => {}
                     Err(why) => unresolved = Some(why),
                 }
             }
@@ -389,11 +390,12 @@ where
     }
 }
 
-/// Whether a guard on a part of the step too short to matter is as far from zero as it would not come in
-/// many such parts.
+/// Whether a guard on a part of the step is as far from zero as it would not come in many such parts. The
+/// multiples of the golden ratio are places where no oscillation repeats itself.
 #[cold]
 pub(super) fn is_clear<R: Ordered>(mut value: impl FnMut(R) -> R) -> bool {
-    let values = [0.0, 0.25, 0.5, 0.75, 1.0].each(|place| value(R::from_f64(place)));
+    let values = [0.0, 0.090_17, 0.236_07, 0.381_97, 0.527_86, 0.618_03, 0.763_93, 0.854_1, 1.0]
+        .each(|place| value(R::from_f64(place)));
     let least = values.into_iter().fold(values[0], smaller);
     let most = values.into_iter().fold(values[0], larger);
     least > R::from_f64(64.0) * (most - least) && values.iter().all(|value| value.is_finite())

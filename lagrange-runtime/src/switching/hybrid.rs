@@ -72,6 +72,7 @@ where
             switched: start.t,
             way: [[num_traits::Zero::zero(); N]; 2],
             is_way: false,
+            landed: [false; C],
             is_fresh: true,
             is_cut: false,
             stuck: None,

@@ -17,11 +17,9 @@
 //! before it to twice as far behind it the kinetic energy is a parabola with equal values at equal distances
 //! from its lowest point, which is not nearer than the plastic one.
 
-use super::scene::{Known, Scales, Scene, Status, above, most, product, rounding};
-use super::trials::{Options, Part, combine, regime};
-use super::turning::{TURNS, Turning, pairs};
-use super::{Regime, Row, Switching};
-use crate::linear::SaddlePoint;
+use super::scene::{Known, Scales, Scene, Status, above, extent, most, product, rounding};
+use super::trials::{Options, Part, combine};
+use super::{Row, Switching};
 use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::error::Cause;
@@ -32,11 +30,11 @@ pub(super) type Struck<R, const N: usize, const C: usize> = ([R; N], [R; C]);
 
 /// The demands of an impact on contacts.
 #[derive(Clone, Copy)]
-struct Demand<R, const C: usize> {
+pub(super) struct Demand<R, const C: usize> {
     /// The part of its closing velocity with which a contact must open.
-    restitution: [R; C],
+    pub(super) restitution: [R; C],
     /// Impulses that contacts give in any case, beside the unknown ones.
-    given: [R; C],
+    pub(super) given: [R; C],
 }
 
 impl<R: Real, const C: usize> Demand<R, C> {
@@ -47,11 +45,11 @@ impl<R: Real, const C: usize> Demand<R, C> {
 }
 
 /// Changes of velocities and the impulses that make them.
-struct Impulses<R, const N: usize, const C: usize> {
-    changes: [R; N],
-    impulses: [R; C],
+pub(super) struct Impulses<R, const N: usize, const C: usize> {
+    pub(super) changes: [R; N],
+    pub(super) impulses: [R; C],
     /// Rows that hold.
-    active: [bool; C],
+    pub(super) active: [bool; C],
 }
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
@@ -90,6 +88,12 @@ where
             let more = |x: S::Scalar| x + least * x;
             Impulses { changes: plastic.changes.each(more), impulses: plastic.impulses.each(more), ..plastic }
         };
+        Ok((array(|i| self.state.v[i] + strike.changes[i]), strike.impulses))
+    }
+
+    /// The velocities after an impact that leaves contacts closed, and its impulses.
+    pub(super) fn plastic(&self) -> Result<Struck<S::Scalar, N, C>, Cause> {
+        let strike = self.strike(&Demand::plastic())?;
         Ok((array(|i| self.state.v[i] + strike.changes[i]), strike.impulses))
     }
 
@@ -181,149 +185,13 @@ where
     }
 
     /// The demanded change of the rate of a row that holds.
-    fn wanted(&self, row: usize, restitution: &[S::Scalar; C]) -> S::Scalar {
+    pub(super) fn wanted(&self, row: usize, restitution: &[S::Scalar; C]) -> S::Scalar {
         let rate = self.laws.rows.rates[row];
         match S::ROWS[row] {
             Row::Bilateral | Row::Load => num_traits::Zero::zero(),
             Row::Unilateral if self.status[row] == Status::Meets => -(rate + restitution[row] * rate),
             Row::Unilateral | Row::Friction { .. } => -rate,
         }
-    }
-
-    /// The impulses of a combination; `None` where it has no solution.
-    fn impulses(
-        &self,
-        parts: &[Part; C],
-        options: &[Options; C],
-        demand: &Demand<S::Scalar, C>,
-        part: S::Scalar,
-    ) -> Option<Impulses<S::Scalar, N, C>> {
-        let driven = demand.given.each(|impulse| impulse.is_positive());
-        let regime = regime(&S::ROWS, parts, options, &driven, self.kinks)?;
-        let in_regime = self.system.in_regime(&regime);
-        let wanted = array(|row| self.wanted(row, &demand.restitution));
-        let State { t, q, v } = &self.state;
-        let solve = |in_regime: &S::InRegime, v: &[S::Scalar; N]| {
-            let equations = S::equations_in(in_regime, *t, q, v, self.inputs)?;
-            let given = self.given(&regime, &demand.given, v);
-            let (changes, impulses) = equations.saddle.solve_motion(&given, &wanted);
-            let is_finite = changes.iter().chain(&impulses).all(|x| x.is_finite());
-            (is_finite && equations.saddle.vanishing().is_none()).then_some((changes, impulses))
-        };
-        let found = |(changes, impulses): ([S::Scalar; N], _)| {
-            let after = array(|i| v[i] + changes[i]);
-            let impulses = self.with_friction(&regime, impulses, &demand.given, &after);
-            Impulses { changes, impulses, active: regime.active }
-        };
-        // A slip in two directions is sought so that friction opposes the slip that follows.
-        let zero: S::Scalar = num_traits::Zero::zero();
-        let turns = |row: usize| regime.slip[row] != zero;
-        if !pairs(&S::ROWS).any(|[row, _]| turns(row)) {
-            return solve(&in_regime, v).map(found);
-        }
-        let smooth = self.without_friction(parts, options, demand)?;
-        let rates = &self.laws.rows.rates;
-        let after =
-            |row: usize, changes: &[S::Scalar; N]| rates[row] + product(&self.gradients[row], changes);
-        // The velocities that have these slips. Slips that depend on each other are replaced by those of some
-        // motion.
-        let mut changes = smooth;
-        let mut turning = Turning::new();
-        for _ in 0..TURNS {
-            let slips: [S::Scalar; C] = array(|row| after(row, &changes));
-            let strike = solve(&in_regime, &array(|i| v[i] + changes[i]))?;
-            let (mut lacks, mut is_done) = ([zero; C], true);
-            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| turns(*row)) {
-                for row in [row, other] {
-                    lacks[row] = after(row, &strike.0) - slips[row];
-                }
-                let size = most(self.speeds[row], self.speeds[other]) + slips[row].hypot(slips[other]);
-                is_done = is_done && !above(lacks[row].hypot(lacks[other]), part * size);
-            }
-            if is_done {
-                return Some(found(strike));
-            }
-            let share = turning.share(&slips, &lacks);
-            changes = array(|i| changes[i] + share * (strike.0[i] - changes[i]));
-        }
-        None
-    }
-
-    /// The changes that given impulses of contacts make, with the friction that they drive where it slips.
-    /// Slips in two directions have the directions of these velocities.
-    fn given(
-        &self,
-        regime: &Regime<S::Scalar, C, W>,
-        given: &[S::Scalar; C],
-        v: &[S::Scalar; N],
-    ) -> [S::Scalar; N] {
-        let impulses = self.with_friction(regime, *given, &[num_traits::Zero::zero(); C], v);
-        let mut sums = [num_traits::Zero::zero(); N];
-        for (gradient, &impulse) in self.gradients.iter().zip(&impulses) {
-            for (sum, &entry) in sums.iter_mut().zip(gradient) {
-                *sum += entry * impulse;
-            }
-        }
-        sums
-    }
-
-    /// The changes of velocities by the same impact on smooth contacts, whose slip gives a first direction.
-    fn without_friction(
-        &self,
-        parts: &[Part; C],
-        options: &[Options; C],
-        demand: &Demand<S::Scalar, C>,
-    ) -> Option<[S::Scalar; N]> {
-        let rates = &self.laws.rows.rates;
-        let smooth = array(|row| match S::ROWS[row] {
-            Row::Friction { .. } => Part::Off,
-            _ => parts[row],
-        });
-        let bare = options.each(|_| Options::new(&[Part::Off]));
-        let in_regime = self.system.in_regime(&regime(&S::ROWS, &smooth, &bare, &[false; C], self.kinks)?);
-        let wanted = array(|row| match S::ROWS[row] {
-            Row::Unilateral => -(rates[row] + demand.restitution[row] * rates[row]),
-            _ => num_traits::Zero::zero(),
-        });
-        let State { t, q, v } = &self.state;
-        let equations = S::equations_in(&in_regime, *t, q, v, self.inputs)?;
-        let given = self.given(&Regime::open(&S::ROWS), &demand.given, v);
-        Some(equations.saddle.solve(&given, &wanted).0)
-    }
-
-    /// The impulses of frictions that slip. They follow from the impulses of their contacts and from those
-    /// that are `given`.
-    fn with_friction(
-        &self,
-        regime: &Regime<S::Scalar, C, W>,
-        mut impulses: [S::Scalar; C],
-        given: &[S::Scalar; C],
-        after: &[S::Scalar; N],
-    ) -> [S::Scalar; C] {
-        let zero: S::Scalar = num_traits::Zero::zero();
-        let rate = |row: usize| {
-            let change = array(|i| after[i] - self.state.v[i]);
-            self.laws.rows.rates[row] + product(&self.gradients[row], &change)
-        };
-        for (row, kind) in S::ROWS.iter().enumerate() {
-            let Row::Friction { normal: Some(normal), pair } = kind else { continue };
-            let slip = regime.slip[row];
-            if slip == zero {
-                continue;
-            }
-            let size = self.against(slip).kinetic[row] * (impulses[*normal] + given[*normal]).abs();
-            match pair {
-                None => impulses[row] = -slip * size,
-                Some(other) => {
-                    let (x, y) = (rate(row), rate(*other));
-                    let length = x.hypot(y);
-                    if length.is_positive() {
-                        (impulses[row], impulses[*other]) = (-size * x / length, -size * y / length);
-                    }
-                }
-            }
-        }
-        impulses
     }
 
     /// Whether the demands of a combination agree with its consequences; if not, the row where they do not.
@@ -338,15 +206,18 @@ where
         let mut sizes = [zero; N];
         self.load(&strike.impulses, &mut sizes);
         self.load(&demand.given, &mut sizes);
+        let scale = |row: usize| {
+            let gradient = &self.gradients[row];
+            let squares = product(gradient, gradient);
+            if squares.is_positive() { extent(gradient, &sizes) / squares } else { zero }
+        };
         for (row, kind) in S::ROWS.iter().enumerate() {
             let gradient = &self.gradients[row];
             let before = self.laws.rows.rates[row];
             let change = product(gradient, &strike.changes);
             let after = before + change;
             let play = part * (most(self.speeds[row], before.abs()) + change.abs());
-            let squares = product(gradient, gradient);
-            let scale = super::scene::extent(gradient, &sizes);
-            let slack = if squares.is_positive() { part * scale / squares } else { zero };
+            let slack = part * scale(row);
             let impulse = strike.impulses[row];
             // Rows that depend on each other may demand contradictory things.
             let wanted = self.wanted(row, &demand.restitution);
@@ -371,7 +242,10 @@ where
                     let given = demand.given[*normal];
                     let limit =
                         self.against(-impulse).kinetic[row] * (strike.impulses[*normal] + given).abs();
-                    let other = pair.map_or(zero, |other| strike.impulses[other]);
+                    let (other, slack) = match *pair {
+                        Some(other) => (strike.impulses[other], most(slack, part * scale(other))),
+                        None => (zero, slack),
+                    };
                     match way {
                         Part::On if parts[*normal] != Part::Off || given.is_positive() => {
                             !above(impulse.hypot(other), limit + part * limit + slack)

@@ -2,7 +2,7 @@
 
 use super::choice::Sizes;
 use super::scene::{Scene, Status, above, entry, extent, most, product, put, rounding};
-use super::turning::{TURNS, Turning, pairs};
+use super::turning::{TURNS, Turning, newton, pairs};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::linear::SaddlePoint;
@@ -73,13 +73,11 @@ where
         let stuck = begins.held(regime);
         let held = S::equations_in(&self.system.in_regime(&stuck), *t, q, v, self.inputs)?;
         let strengths = self.balance(&stuck, v)?.1.accelerations;
-        let mut slips = held.balance().multipliers.each(|force| -force);
-        let (mut turning, mut is_scaled) = (Turning::new(), false);
-        let mut velocities = *v;
-        for _ in 0..TURNS {
+        // The velocities with slips in the directions of these.
+        let slipping = |slips: &[S::Scalar; C]| {
             let mut lack = [zero; C];
             for [row, other] in begins.slips(&S::ROWS) {
-                let length = entry(&slips, row).hypot(entry(&slips, other));
+                let length = entry(slips, row).hypot(entry(slips, other));
                 if !length.is_positive() {
                     return None;
                 }
@@ -92,46 +90,60 @@ where
                 let size = least * S::Scalar::from_f64(LAUNCHED);
                 for row in [row, other] {
                     let rate = entry(&self.laws.rows.rates, row);
-                    put(&mut lack, row, size * entry(&slips, row) / length - rate);
+                    put(&mut lack, row, size * entry(slips, row) / length - rate);
                 }
             }
             let (change, _) = held.saddle.solve(&[zero; N], &lack);
-            velocities = array(|i| v[i] + change[i]);
-            let (balance, sizes) = self.balance(regime, &velocities)?;
-            let (mut lacks, mut is_done) = ([zero; C], true);
-            for [row, other] in begins.slips(&S::ROWS) {
-                let rates = [row, other].each(|row| self.rate(row, &balance.accelerations));
-                let speed = rates[0].hypot(rates[1]);
-                let noise = rounding::<S::Scalar>() * self.extent_of(row, &sizes.accelerations);
-                // If nothing accelerates the slip, it takes the direction of the force that drives it.
-                if !above(speed, noise) {
-                    continue;
+            Some(array(|i| v[i] + change[i]))
+        };
+        // The rates of slips in these directions, and whether they have the directions. If nothing accelerates
+        // a slip, it takes the direction of the force that drives it.
+        let growing = |slips: &[S::Scalar; C]| {
+            let (balance, sizes) = self.balance(regime, &slipping(slips)?)?;
+            let (mut grown, mut is_done) = (*slips, true);
+            for rows in begins.slips(&S::ROWS) {
+                let rates = rows.each(|row| self.rate(row, &balance.accelerations));
+                let noise = rounding::<S::Scalar>() * self.extent_of(rows[0], &sizes.accelerations);
+                if above(rates[0].hypot(rates[1]), noise) {
+                    let lack = [0, 1].each(|i| rates[i] - entry(slips, rows[i]));
+                    is_done = is_done && !above(lack[0].hypot(lack[1]), noise);
+                    rows.into_iter().zip(rates).for_each(|(row, rate)| put(&mut grown, row, rate));
                 }
-                let now = [row, other].each(|row| entry(&slips, row));
-                let share = if is_scaled { num_traits::One::one() } else { speed / now[0].hypot(now[1]) };
-                let scaled = now.each(|slip| share * slip);
-                let lack = [rates[0] - scaled[0], rates[1] - scaled[1]];
-                for (row, (slip, lack)) in [row, other].into_iter().zip(scaled.into_iter().zip(lack)) {
-                    put(&mut slips, row, slip);
-                    put(&mut lacks, row, lack);
-                }
-                is_done = is_done && !above(lack[0].hypot(lack[1]), noise);
             }
+            Some((grown, is_done))
+        };
+        let first = held.balance().multipliers.each(|force| -force);
+        let (reached, _) = growing(&first)?;
+        let mut slips = [zero; C];
+        for rows in begins.slips(&S::ROWS) {
+            let [own, then] = [&first, &reached].each(|slips| {
+                let [x, y] = rows.each(|row| entry(slips, row));
+                x.hypot(y)
+            });
+            rows.into_iter().for_each(|row| put(&mut slips, row, then / own * entry(&first, row)));
+        }
+        let start = slips;
+        let mut turning = Turning::new();
+        for _ in 0..TURNS {
+            let (reached, is_done) = growing(&slips)?;
             if is_done {
-                break;
+                return slipping(&slips);
             }
-            is_scaled = true;
+            let lacks = array(|row| reached[row] - slips[row]);
             let share = turning.share(&slips, &lacks);
             slips = array(|row| slips[row] + share * lacks[row]);
         }
-        Some(velocities)
+        let units = array(|row| if begins.has(row) { num_traits::One::one() } else { zero });
+        // Where a slip hardly grows, any direction near that of its force does.
+        slipping(&newton(start, &units, growing).unwrap_or(slips))
     }
 
     /// The time in which slips that begin grow to those of `velocities`. It is unknown if it is so long that
-    /// accelerations change meanwhile.
+    /// accelerations change meanwhile, or a contact that is open in the regime closes.
     #[cold]
     pub(super) fn later(
         &self,
+        regime: &Regime<S::Scalar, C, W>,
         begins: &Begins<C>,
         velocities: &[S::Scalar; N],
         balance: &Balance<S::Scalar, N, C>,
@@ -152,7 +164,15 @@ where
             }
             later = most(later, time);
         }
-        Some(later)
+        // A contact that closes meanwhile would be missed.
+        let half = S::Scalar::from_f64(0.5);
+        let closes = |row: usize| {
+            let open = S::ROWS[row] == Row::Unilateral && !regime.active[row];
+            let (gap, rate) = (self.laws.rows.positions[row], self.laws.rows.rates[row]);
+            let change = later * (rate + half * later * self.rate(row, &balance.accelerations));
+            open && (-change).is_positive() && (-(gap + change)).is_positive()
+        };
+        (!(0..C).any(closes)).then_some(later)
     }
 
     /// Σ |aᵢ xᵢ| of the gradient of a row.

@@ -37,6 +37,8 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) way: [[R; N]; 2],
     /// Whether the piece is such a way, which no method has taken.
     pub(super) is_way: bool,
+    /// The contacts that bear since then because the motion has landed and they touch.
+    pub(super) landed: [bool; C],
     /// Whether the motion has to find its regime first.
     pub(super) is_fresh: bool,
     /// Why it cannot go on.

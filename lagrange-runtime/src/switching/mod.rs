@@ -11,6 +11,7 @@
 mod alone;
 mod along;
 mod begin;
+mod certain;
 mod choice;
 mod contacts;
 mod corners;
@@ -21,6 +22,7 @@ mod growing;
 mod guards;
 mod hybrid;
 mod impact;
+mod impulses;
 mod launch;
 mod memory;
 mod nearest;

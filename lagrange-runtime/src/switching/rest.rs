@@ -6,7 +6,7 @@
 //! follow are taken together with this one, and the contact stays closed and at rest.
 
 use super::impact::Struck;
-use super::scene::{Scales, Scene, Status, above, entry, extent, most, rounding};
+use super::scene::{Known, Scales, Scene, Status, above, entry, extent, most, rounding};
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
 use crate::number::elements::array;
@@ -100,8 +100,9 @@ where
     }
 
     /// The velocities with those contacts closed that an impact would open for a negligible time only, and
-    /// the impulses that close them. `None` where no contact is of this kind. The scene is one without an
-    /// impact; the motion goes on with these accelerations.
+    /// the impulses that close them: those of a plastic impact with the velocities at which they would close.
+    /// `None` where no contact is of this kind. The scene is one without an impact; the motion goes on with
+    /// these accelerations.
     pub(super) fn gathered(
         &self,
         accelerations: &[S::Scalar; N],
@@ -146,10 +147,14 @@ where
                 wanted[row] = -rates[row];
             }
         }
+        // Forces turn the velocity of a short flight round.
         let State { t, q, v } = &self.state;
-        let in_regime = self.system.in_regime(&closed);
-        let equations = S::equations_in(&in_regime, *t, q, v, self.inputs)?;
-        let (change, impulses) = equations.saddle.solve(&[zero; N], &wanted);
-        Some((array(|i| v[i] + change[i]), impulses))
+        let turned = array(|row| if slow[row] { wanted[row] + wanted[row] } else { wanted[row] });
+        let equations = S::equations_in(&self.system.in_regime(&closed), *t, q, v, self.inputs)?;
+        let (change, _) = equations.saddle.solve(&[zero; N], &turned);
+        let back = State { v: array(|i| v[i] + change[i]), ..self.state };
+        let known = Known { closed: slow, fired: None, settled: false, rested: [false; C] };
+        let landing = Scene::new(self.system, &back, self.inputs, self.kinks, scales, &known);
+        landing.plastic().ok()
     }
 }

@@ -69,6 +69,7 @@ where
         late: S::Scalar,
     ) -> Result<Regime<S::Scalar, C, W>, Cause> {
         self.memory.way = [[num_traits::Zero::zero(); N]; 2];
+        self.memory.landed = [false; C];
         self.memory.switched = state.t.part(0);
         if S::ROWS.iter().any(|row| *row != Row::Bilateral) {
             let inputs = &self.control.0;
@@ -94,13 +95,9 @@ where
             }
             // A body that begins or lands rests on all its feet: each contact that touches bears, if only
             // nothing.
-            let touching;
-            let mut present = present;
-            if self.memory.is_fresh || known.settled {
-                touching = scene.touching(present);
-                present = &touching;
-            }
-            let mut choice = scene.choose(present, known.fired)?;
+            let lands = self.memory.is_fresh || known.settled;
+            let from = if lands { scene.touching(present) } else { *present };
+            let mut choice = scene.choose(&from, known.fired)?;
             if let Some((v, more)) = scene.gathered(&choice.accelerations, scales, self.limits.relative) {
                 if S::Scalar::PARTS > 1 {
                     return Err(scene.accumulation());
@@ -110,8 +107,11 @@ where
                 (known.closed, known.settled) = (scene.is_closed, true);
                 last = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &last;
-                choice = scene.choose(&scene.touching(present), known.fired)?;
+                choice = scene.choose(&scene.touching(&from), known.fired)?;
             }
+            let active = &choice.regime.active;
+            let bears = |row: usize| S::ROWS[row] == Row::Unilateral && active[row] && !present.active[row];
+            self.memory.landed = array(|row| (lands || known.settled) && bears(row));
             for (seen, &now) in scales.reactions.iter_mut().zip(&choice.multipliers) {
                 *seen = most(*seen, now.abs());
             }
@@ -190,7 +190,15 @@ where
             }
             let memory = &mut *self.memory;
             let (in_regime, constants) = (&memory.in_regime, &memory.constants);
-            M::step(&mut memory.inner, in_regime, constants, self.control, self.limits, t, attempts)?;
+            let stepped =
+                M::step(&mut memory.inner, in_regime, constants, self.control, self.limits, t, attempts);
+            if let Err(error) = stepped {
+                if self.lets_go(&error.cause).map_err(|cause| at(&here, cause))? {
+                    continue;
+                }
+                return Err(error);
+            }
+            let memory = &mut *self.memory;
             let (start, end) = (*M::start(&memory.inner), *M::end(&memory.inner));
             (memory.start, memory.end) = (start, end);
             let found = self.event(attempts);
@@ -233,6 +241,34 @@ where
                 return Err(at(&state, Cause::TooManySteps));
             }
             *attempts -= 1;
+        }
+    }
+
+    /// Opens the contacts that bear only because the motion has landed here, as far as it needs none of them,
+    /// where those that are closed depend on each other at this state and allow no motion beside it.
+    #[cold]
+    fn lets_go(&mut self, cause: &Cause) -> Result<bool, Cause> {
+        let landed = core::mem::replace(&mut self.memory.landed, [false; C]);
+        let here = self.memory.end;
+        let is_first = self.memory.start.t == here.t;
+        if !is_first || !landed.contains(&true) || !matches!(cause, Cause::Undetermined { .. }) {
+            return Ok(false);
+        }
+        let closed = self.memory.regime.active;
+        let present = Regime { active: array(|row| closed[row] && !landed[row]), ..self.memory.regime };
+        let known = Known { closed, fired: None, settled: false, rested: [false; C] };
+        let mut state = here;
+        let regime = self.settle(&mut state, &present, known, num_traits::Zero::zero())?;
+        self.go_on(regime, state);
+        Ok(true)
+    }
+
+    /// Goes on from the present state, or from one a little later, in a regime.
+    pub(super) fn go_on(&mut self, regime: Regime<S::Scalar, C, W>, state: State<S::Scalar, N>) {
+        if state.t == self.memory.end.t {
+            self.enter(regime, state);
+        } else {
+            (self.memory.start, self.memory.next) = (self.memory.end, Some((regime, state)));
         }
     }
 

@@ -8,11 +8,20 @@ use super::choice::{Choice, is_limit};
 use super::nearest::nearest;
 use super::scene::{Scene, Status, above, against, entry, extent, most, product, rounding};
 use super::turning::TURNS;
-use super::{Regime, Row, Switching};
+use super::{Coefficients, Regime, Row, Switching};
 use crate::linear::{SaddlePoint, Switched};
 use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::state::State;
+
+/// The limit of a friction that sticks.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Sticking {
+    /// By the coefficient at rest.
+    ByForces,
+    /// By that of a slip: in an impact there is no rest before it.
+    ByImpulses,
+}
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
 where
@@ -83,15 +92,16 @@ where
         })
     }
 
-    /// The shortest of all possible reactions that give the same motion as these. `drags` are the frictions
-    /// that slip, per unit of the reactions that drive them. `None` where there are loads: they are sizes of
-    /// forces, so the possible reactions are no convex set.
+    /// The shortest of all possible reactions that give the same motion as these, or of all impulses in an
+    /// impact. `drags` are the frictions that slip, per unit of the reactions that drive them. `None` where
+    /// there are loads: they are sizes of forces, so the possible reactions are no convex set.
     #[cold]
     pub(super) fn shortest(
         &self,
         bearing: &Regime<S::Scalar, C, W>,
         drags: &[S::Scalar; C],
         known: &[S::Scalar; C],
+        sticking: Sticking,
     ) -> Option<[S::Scalar; C]> {
         if S::ROWS.contains(&Row::Load) {
             return None;
@@ -117,10 +127,10 @@ where
         let base = project(known);
         let size = product(known, known).sqrt();
         let mut toward = base;
-        for _ in 0..TURNS {
+        for turn in 0..2 * TURNS {
             let (mut free, mut lacks) = ([[zero; C]; C], [zero; C]);
             for row in 0..C {
-                let Some((cut, bound)) = self.cut(row, bearing, &toward) else { continue };
+                let Some((cut, bound)) = self.cut(row, bearing, &toward, sticking) else { continue };
                 let held = project(&cut);
                 let rest: [S::Scalar; C] = array(|i| cut[i] - held[i]);
                 // A reaction that the motion determines cannot be chosen.
@@ -133,7 +143,7 @@ where
             let found: [S::Scalar; C] =
                 array(|i| free.iter().zip(&pushes).fold(base[i], |sum, (row, &push)| sum + push * row[i]));
             let is_possible = (0..C).all(|row| {
-                let Some((cut, bound)) = self.cut(row, bearing, &found) else { return true };
+                let Some((cut, bound)) = self.cut(row, bearing, &found, sticking) else { return true };
                 let slack = product(&cut, &cut).sqrt() * size + bound.abs();
                 !above(bound - product(&cut, &found), rounding::<S::Scalar>() * slack)
             });
@@ -143,8 +153,14 @@ where
                     _ => found[row],
                 }));
             }
+            // Limits at which reactions are as good as tangent: their directions at the reactions found are
+            // those of Newton's method.
+            if turn >= TURNS {
+                toward = found;
+                continue;
+            }
             // A friction at its limit has the direction that it would have without the limit.
-            let cuts: [_; C] = array(|row| self.cut(row, bearing, &toward));
+            let cuts: [_; C] = array(|row| self.cut(row, bearing, &toward, sticking));
             let mut next = found;
             for (row, (cut, &push)) in cuts.iter().zip(&pushes).enumerate() {
                 if let (Row::Friction { pair, .. }, Some((cut, _))) = (S::ROWS[row], cut) {
@@ -183,6 +199,7 @@ where
         row: usize,
         bearing: &Regime<S::Scalar, C, W>,
         multipliers: &[S::Scalar; C],
+        sticking: Sticking,
     ) -> Option<([S::Scalar; C], S::Scalar)> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let mut cut = [zero; C];
@@ -205,7 +222,11 @@ where
                         *part = -multiplier / size;
                     }
                 }
-                let coefficient = self.against(cut[row]).fixed[row];
+                let Coefficients { kinetic, fixed } = self.against(cut[row]);
+                let coefficient = match sticking {
+                    Sticking::ByForces => fixed[row],
+                    Sticking::ByImpulses => kinetic[row],
+                };
                 let Some(normal) = normal else { return Some((cut, -coefficient)) };
                 cut[normal] = bearing.side[normal] * coefficient;
                 Some((cut, zero))

@@ -145,6 +145,18 @@ pub(super) fn regime<R: Real, const C: usize, const W: usize>(
     Some(regime)
 }
 
+/// The first contact or constraint that reacts otherwise in one regime than in another.
+pub(super) fn parts_at<R: Real, const C: usize, const W: usize>(
+    rows: &[Row; C],
+    a: &Regime<R, C, W>,
+    b: &Regime<R, C, W>,
+) -> Option<usize> {
+    let reacts = |regime: &Regime<R, C, W>, row: usize| (regime.active[row], regime.side[row]);
+    rows.iter()
+        .enumerate()
+        .position(|(row, kind)| !matches!(kind, Row::Friction { .. }) && reacts(a, row) != reacts(b, row))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -8,6 +8,8 @@
 
 use super::Row;
 use super::scene::{above, most};
+use crate::linear::Lu;
+use crate::number::elements::array;
 use crate::number::real::Real;
 
 /// The most steps of a search.
@@ -44,6 +46,66 @@ impl<R: Real, const C: usize> Turning<R, C> {
         self.last = Some((*x, *lack));
         share
     }
+}
+
+/// The least share of a step of Newton's method that is tried.
+const LEAST_SHARE: f64 = 1.0 / 1024.0;
+
+/// Newton's method for x = F(x), with derivatives by differences. `image` gives F and whether x is as close to
+/// it as can be. `None` where no step leads nearer: slips that come to rest have no direction.
+#[cold]
+pub(super) fn newton<R: Real, const N: usize>(
+    start: [R; N],
+    units: &[R; N],
+    image: impl Fn(&[R; N]) -> Option<([R; N], bool)>,
+) -> Option<[R; N]> {
+    let one = R::one();
+    let extent = |x: &[R; N]| {
+        let parts = x.iter().zip(units).filter(|(_, unit)| unit.is_positive());
+        parts.fold(R::zero(), |largest, (&x, &unit)| most(largest, (x / unit).abs().part(0)))
+    };
+    let apart = |x: &[R; N], y: &[R; N]| -> [R; N] { array(|i| y[i] - x[i]) };
+    let (mut x, (mut reached, mut is_done)) = (start, image(&start)?);
+    // Derivatives follow with the derivatives of F alone, which differences give to half of all digits.
+    let mut more = if R::PARTS > 1 { 2 } else { 0 };
+    for _ in 0..TURNS {
+        if is_done {
+            if more == 0 {
+                return Some(x);
+            }
+            more -= 1;
+        }
+        let change = R::epsilon().sqrt() * most(extent(&x), extent(&reached));
+        let mut matrix = [[R::zero(); N]; N];
+        for (j, &unit) in units.iter().enumerate() {
+            let (mut beside, own) = (x, change * unit);
+            matrix[j][j] = one;
+            if own.is_positive() {
+                beside[j] += own;
+                let (moved, _) = image(&beside)?;
+                for (row, (&moved, &reached)) in matrix.iter_mut().zip(moved.iter().zip(&reached)) {
+                    row[j] -= ((moved - reached) / own).part(0);
+                }
+            }
+        }
+        let lack = apart(&x, &reached);
+        let step = Lu::factor(matrix).ok()?.solve(lack);
+        let mut share = one;
+        loop {
+            let next: [R; N] = array(|i| x[i] + share * step[i]);
+            if let Some((after, ends)) = image(&next)
+                && (is_done || ends || above(extent(&lack), extent(&apart(&next, &after))))
+            {
+                (x, reached, is_done) = (next, after, ends || is_done);
+                break;
+            }
+            share *= R::from_f64(0.5);
+            if above(R::from_f64(LEAST_SHARE), share) {
+                return None;
+            }
+        }
+    }
+    None
 }
 
 /// The rows of each slip in two directions.

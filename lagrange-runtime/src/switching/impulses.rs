@@ -1,0 +1,181 @@
+//! The impulses of one combination of activities in an impact.
+
+use super::impact::{Demand, Impulses};
+use super::scene::{Scene, above, most, product};
+use super::shares::Sticking;
+use super::trials::{Options, Part, regime};
+use super::turning::{TURNS, Turning, newton, pairs};
+use super::{Regime, Row, Switching};
+use crate::linear::SaddlePoint;
+use crate::number::elements::{Each, array};
+use crate::number::real::Real;
+use crate::system::state::State;
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+{
+    /// The impulses of a combination; `None` where it has no solution.
+    pub(super) fn impulses(
+        &self,
+        parts: &[Part; C],
+        options: &[Options; C],
+        demand: &Demand<S::Scalar, C>,
+        part: S::Scalar,
+    ) -> Option<Impulses<S::Scalar, N, C>> {
+        let driven = demand.given.each(|impulse| impulse.is_positive());
+        let regime = regime(&S::ROWS, parts, options, &driven, self.kinks)?;
+        let in_regime = self.system.in_regime(&regime);
+        let wanted = array(|row| self.wanted(row, &demand.restitution));
+        let State { t, q, v } = &self.state;
+        let solve = |in_regime: &S::InRegime, v: &[S::Scalar; N]| {
+            let equations = S::equations_in(in_regime, *t, q, v, self.inputs)?;
+            let given = self.given(&regime, &demand.given, v);
+            let (changes, impulses) = equations.saddle.solve_motion(&given, &wanted);
+            let is_finite = changes.iter().chain(&impulses).all(|x| x.is_finite());
+            let is_one = equations.saddle.is_independent() || driven.contains(&true);
+            (is_finite && equations.saddle.vanishing().is_none()).then_some((changes, impulses, is_one))
+        };
+        let found = |(changes, mut impulses, is_one): ([S::Scalar; N], _, bool)| {
+            let after = array(|i| v[i] + changes[i]);
+            if !is_one && let Some(possible) = self.possible(&regime, &after, &impulses) {
+                impulses = possible;
+            }
+            let impulses = self.with_friction(&regime, impulses, &demand.given, &after);
+            Impulses { changes, impulses, active: regime.active }
+        };
+        // A slip in two directions is sought so that friction opposes the slip that follows.
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let turns = |row: usize| regime.slip[row] != zero;
+        if !pairs(&S::ROWS).any(|[row, _]| turns(row)) {
+            return solve(&in_regime, v).map(found);
+        }
+        let smooth = self.without_friction(parts, options, demand)?;
+        let rates = &self.laws.rows.rates;
+        let after =
+            |row: usize, changes: &[S::Scalar; N]| rates[row] + product(&self.gradients[row], changes);
+        // The strike at velocities with some slips, what it lacks of their change, and whether that is nothing.
+        let seek = |changes: &[S::Scalar; N]| {
+            let slips: [S::Scalar; C] = array(|row| after(row, changes));
+            let strike = solve(&in_regime, &array(|i| v[i] + changes[i]))?;
+            let (mut lacks, mut is_done) = ([zero; C], true);
+            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| turns(*row)) {
+                for row in [row, other] {
+                    lacks[row] = after(row, &strike.0) - slips[row];
+                }
+                let size = most(self.speeds[row], self.speeds[other]) + slips[row].hypot(slips[other]);
+                is_done = is_done && !above(lacks[row].hypot(lacks[other]), part * size);
+            }
+            Some((strike, slips, lacks, is_done))
+        };
+        // Slips that depend on each other are replaced by those of some motion.
+        let mut changes = smooth;
+        let mut turning = Turning::new();
+        for _ in 0..TURNS {
+            let (strike, slips, lacks, is_done) = seek(&changes)?;
+            if is_done {
+                return Some(found(strike));
+            }
+            let share = turning.share(&slips, &lacks);
+            changes = array(|i| changes[i] + share * (strike.0[i] - changes[i]));
+        }
+        let image =
+            |changes: &[S::Scalar; N]| seek(changes).map(|(strike, _, _, is_done)| (strike.0, is_done));
+        let changes = newton(smooth, &self.units, image)?;
+        seek(&changes).map(|(strike, ..)| found(strike))
+    }
+
+    /// Impulses that contacts and frictions can give, with the same changes as these of rows that depend on
+    /// each other. `after` are the velocities after the impact.
+    #[cold]
+    fn possible(
+        &self,
+        regime: &Regime<S::Scalar, C, W>,
+        after: &[S::Scalar; N],
+        impulses: &[S::Scalar; C],
+    ) -> Option<[S::Scalar; C]> {
+        let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
+        let is_friction = |row: usize| matches!(S::ROWS[row], Row::Friction { .. });
+        let units = array(|row| if is_friction(row) { zero } else { one });
+        let by_unit = self.with_friction(regime, units, &[zero; C], after);
+        let drags = array(|row| if is_friction(row) { by_unit[row] } else { zero });
+        self.shortest(regime, &drags, impulses, Sticking::ByImpulses)
+    }
+
+    /// The changes that given impulses of contacts make, with the friction that they drive where it slips.
+    /// Slips in two directions have the directions of these velocities.
+    fn given(
+        &self,
+        regime: &Regime<S::Scalar, C, W>,
+        given: &[S::Scalar; C],
+        v: &[S::Scalar; N],
+    ) -> [S::Scalar; N] {
+        let impulses = self.with_friction(regime, *given, &[num_traits::Zero::zero(); C], v);
+        let mut sums = [num_traits::Zero::zero(); N];
+        for (gradient, &impulse) in self.gradients.iter().zip(&impulses) {
+            for (sum, &entry) in sums.iter_mut().zip(gradient) {
+                *sum += entry * impulse;
+            }
+        }
+        sums
+    }
+
+    /// The changes of velocities by the same impact on smooth contacts, whose slip gives a first direction.
+    fn without_friction(
+        &self,
+        parts: &[Part; C],
+        options: &[Options; C],
+        demand: &Demand<S::Scalar, C>,
+    ) -> Option<[S::Scalar; N]> {
+        let rates = &self.laws.rows.rates;
+        let smooth = array(|row| match S::ROWS[row] {
+            Row::Friction { .. } => Part::Off,
+            _ => parts[row],
+        });
+        let bare = options.each(|_| Options::new(&[Part::Off]));
+        let in_regime = self.system.in_regime(&regime(&S::ROWS, &smooth, &bare, &[false; C], self.kinks)?);
+        let wanted = array(|row| match S::ROWS[row] {
+            Row::Unilateral => -(rates[row] + demand.restitution[row] * rates[row]),
+            _ => num_traits::Zero::zero(),
+        });
+        let State { t, q, v } = &self.state;
+        let equations = S::equations_in(&in_regime, *t, q, v, self.inputs)?;
+        let given = self.given(&Regime::open(&S::ROWS), &demand.given, v);
+        Some(equations.saddle.solve(&given, &wanted).0)
+    }
+
+    /// The impulses of frictions that slip. They follow from the impulses of their contacts and from those
+    /// that are `given`.
+    fn with_friction(
+        &self,
+        regime: &Regime<S::Scalar, C, W>,
+        mut impulses: [S::Scalar; C],
+        given: &[S::Scalar; C],
+        after: &[S::Scalar; N],
+    ) -> [S::Scalar; C] {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let rate = |row: usize| {
+            let change = array(|i| after[i] - self.state.v[i]);
+            self.laws.rows.rates[row] + product(&self.gradients[row], &change)
+        };
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            let Row::Friction { normal: Some(normal), pair } = kind else { continue };
+            let slip = regime.slip[row];
+            if slip == zero {
+                continue;
+            }
+            let size = self.against(slip).kinetic[row] * (impulses[*normal] + given[*normal]).abs();
+            match pair {
+                None => impulses[row] = -slip * size,
+                Some(other) => {
+                    let (x, y) = (rate(row), rate(*other));
+                    let length = x.hypot(y);
+                    if length.is_positive() {
+                        (impulses[row], impulses[*other]) = (-size * x / length, -size * y / length);
+                    }
+                }
+            }
+        }
+        impulses
+    }
+}
