@@ -29,7 +29,7 @@ usage: scripts/check.sh NAME …
   long        energy and angular momentum over millions of steps
   drift       constraints and their energy over millions of steps
   roots       a million polynomials and steps cut anywhere: no zero is missed, none is found twice
-  contacts    ten thousand random systems with contacts and friction
+  contacts    ten thousand random systems with contacts and friction, as many balls in a corner, and stools
   stack       analyses of 100 coordinates on the stack of a common thread
   stack-release
               the same in release: the compiler needs more than 16 GB for it, so it is in no list
@@ -122,7 +122,7 @@ drift() { cargo test --release --test long constrained:: -- --nocapture; }
 
 roots() { cargo test --release -p lagrange-runtime --lib motion::roots -- --ignored; }
 
-contacts() { cargo test --release --test motions contact::random::ten_thousand -- --ignored --nocapture; }
+contacts() { cargo test --release --test motions contact:: -- --ignored --nocapture; }
 
 stack() { tests --test stack; }
 

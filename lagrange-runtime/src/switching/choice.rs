@@ -47,6 +47,17 @@ where
         present: &Regime<S::Scalar, C, W>,
         avoid: Option<usize>,
     ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
+        self.choose_here(present, avoid).or_else(|cause| match self.resting() {
+            Some(resting) => resting.choose_here(present, avoid).map_err(|_| cause),
+            None => Err(cause),
+        })
+    }
+
+    fn choose_here(
+        &self,
+        present: &Regime<S::Scalar, C, W>,
+        avoid: Option<usize>,
+    ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
         let decided = avoid.filter(|&row| match S::ROWS.get(row) {
             Some(Row::Bilateral | Row::Load) => true,
             Some(Row::Unilateral) => present.active.get(row) == Some(&true),

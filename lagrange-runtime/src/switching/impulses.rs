@@ -71,17 +71,19 @@ where
         // Slips that depend on each other are replaced by those of some motion.
         let mut changes = smooth;
         let mut turning = Turning::new();
+        let (mut near, mut is_near) = (smooth, false);
         for _ in 0..TURNS {
             let (strike, slips, lacks, is_done) = seek(&changes)?;
             if is_done {
-                return Some(found(strike));
+                (near, is_near) = (changes, true);
+                break;
             }
             let share = turning.share(&slips, &lacks);
             changes = array(|i| changes[i] + share * (strike.0[i] - changes[i]));
         }
         let image =
             |changes: &[S::Scalar; N]| seek(changes).map(|(strike, _, _, is_done)| (strike.0, is_done));
-        let changes = newton(smooth, &self.units, image)?;
+        let changes = newton(near, &self.units, image).or(is_near.then_some(near))?;
         seek(&changes).map(|(strike, ..)| found(strike))
     }
 

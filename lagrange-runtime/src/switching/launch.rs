@@ -60,6 +60,23 @@ where
         Begins(begins)
     }
 
+    /// The same scene with slips in two directions at rest that are slower than those that begin; `None` where
+    /// there are none. Errors of velocities leave them no direction, and friction in a wrong direction may
+    /// leave no motion.
+    #[cold]
+    pub(super) fn resting(&self) -> Option<Self> {
+        let mut status = self.status;
+        for rows in pairs(&S::ROWS) {
+            let [x, y] = rows.each(|row| entry(&self.laws.rows.rates, row));
+            let [a, b] = rows.each(|row| entry(&self.speeds, row));
+            let least = S::Scalar::from_f64(LAUNCHED) * self.lost * most(a, b);
+            if status.get(rows[0]) == Some(&Status::Slips) && !above(x.hypot(y), least) {
+                rows.into_iter().for_each(|row| put(&mut status, row, Status::Rests));
+            }
+        }
+        (status != self.status).then_some(Self { status, ..*self })
+    }
+
     /// Velocities with the smallest slip whose direction the motion knows, in the directions in which slips
     /// begin. These are the directions of their accelerations under friction against them.
     #[cold]

@@ -66,8 +66,9 @@ pub(super) fn newton<R: Real, const N: usize>(
     };
     let apart = |x: &[R; N], y: &[R; N]| -> [R; N] { array(|i| y[i] - x[i]) };
     let (mut x, (mut reached, mut is_done)) = (start, image(&start)?);
-    // Derivatives follow with the derivatives of F alone, which differences give to half of all digits.
-    let mut more = if R::PARTS > 1 { 2 } else { 0 };
+    // The step after the last one gives all digits; derivatives follow one step behind, with the derivatives
+    // of F alone, which differences give to half of all digits.
+    let mut more = if R::PARTS > 1 { 2 } else { 1 };
     for _ in 0..TURNS {
         if is_done {
             if more == 0 {

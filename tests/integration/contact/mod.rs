@@ -6,6 +6,7 @@ mod coincident;
 mod corners;
 mod directions;
 mod edges;
+mod feet;
 mod friction;
 mod growing;
 mod indeterminate;

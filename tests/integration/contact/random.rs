@@ -368,7 +368,24 @@ fn follow_in_corner(number: u64, tally: &mut Tally) {
 fn ten_thousand_random_contacts_obey_their_laws() {
     let mut tally = Tally::default();
     (0..10_000).for_each(|number| follow(number, &mut tally));
-    assert!(tally.switches > 5 * tally.motions && 20 * tally.paradoxes < tally.motions, "{tally:?}");
+    assert!(tally.switches > 5 * tally.motions && 1000 * tally.paradoxes < tally.motions, "{tally:?}");
+}
+
+#[test]
+#[ignore = "ten thousand motions: scripts/check.sh runs them"]
+fn ten_thousand_balls_in_a_corner_have_one_motion() {
+    let mut tally = Tally::default();
+    (0..10_000).for_each(|number| follow_in_corner(number, &mut tally));
+    assert!(tally.switches > 5 * tally.motions && tally.paradoxes == 0, "{tally:?}");
+}
+
+/// A rod that comes to lie flat on the floor with one end at a wall. The wall bears nothing there, and its
+/// gradient is that of the friction of the foot about which the rod rocks.
+#[test]
+fn a_rod_comes_to_lie_between_a_floor_and_a_wall() {
+    let mut tally = Tally::default();
+    follow(8472, &mut tally);
+    assert!(tally.switches > 5 && tally.paradoxes == 0, "{tally:?}");
 }
 
 /// Discs that slip on the floor and on each other under constant forces: a polynomial in time, which bounds
@@ -381,12 +398,14 @@ fn discs_with_constant_accelerations_obey_their_laws() {
 }
 
 /// Balls whose reactions at a wall are nothing but rounding errors, with the friction that these drive; balls
-/// that touch a wall at a velocity that is a rounding error; and balls whose slips at two walls depend on
-/// each other.
+/// that touch a wall at a velocity that is a rounding error; balls whose slips at two walls depend on each
+/// other; and balls that stick at both, where the equations do not tell the reactions.
 #[test]
 fn random_balls_in_a_corner_obey_their_laws() {
     let mut tally = Tally::default();
-    let corners = (0..40).chain([80, 83, 84, 103, 142, 218, 248, 383, 406, 475, 493, 688]);
+    let corners = (0..40)
+        .chain([41, 80, 83, 84, 103, 110, 142, 218, 248, 364, 383, 406, 475, 493, 546, 688, 710, 957])
+        .chain([1009, 1195, 1198, 1453, 1521, 1622, 1845]);
     corners.for_each(|number| follow_in_corner(number, &mut tally));
-    assert!(tally.switches > 5 * tally.motions, "{tally:?}");
+    assert!(tally.switches > 5 * tally.motions && tally.paradoxes == 0, "{tally:?}");
 }
