@@ -21,21 +21,27 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// Removes the closing velocities of contacts that touch and stay open in a regime, in the metric of the
-    /// kinetic energy. They are rounding errors, but the smallest of them would close the contacts again at
-    /// once.
+    /// Removes the closing velocities of contacts that touch and stay open in a regime, and the velocities
+    /// against the slips that begin in it, in the metric of the kinetic energy. They are rounding errors, but
+    /// the smallest of them would close the contacts, or end the slips, again at once.
     pub(super) fn part(&self, regime: &Regime<S::Scalar, C, W>, state: &mut State<S::Scalar, N>) {
-        let touches = |row: usize| {
-            S::ROWS[row] == Row::Unilateral && self.status[row] == Status::Touches && !regime.active[row]
+        let zero: S::Scalar = num_traits::Zero::zero();
+        // The direction that is excluded.
+        let against = |row: usize| match (S::ROWS[row], self.status[row]) {
+            (Row::Unilateral, Status::Touches) if !regime.active[row] => {
+                -<S::Scalar as num_traits::One>::one()
+            }
+            (Row::Friction { pair: None, .. }, Status::Rests) => -regime.slip[row],
+            _ => zero,
         };
-        if !(0..C).any(touches) {
+        if (0..C).all(|row| against(row) == zero) {
             return;
         }
         let State { t, q, v } = state;
         let rates = self.system.laws_at(*t, q, v, self.inputs).rows.rates;
-        let (mut closed, mut wanted) = (*regime, [num_traits::Zero::zero(); C]);
-        for row in (0..C).filter(|&row| touches(row) && (-rates[row]).is_positive()) {
-            closed.active[row] = true;
+        let (mut closed, mut wanted) = (*regime, [zero; C]);
+        for row in (0..C).filter(|&row| (against(row) * rates[row]).is_positive()) {
+            (closed.active[row], closed.slip[row]) = (true, zero);
             wanted[row] = -rates[row].part(0);
         }
         if closed.active == regime.active {
@@ -44,7 +50,7 @@ where
         let Some(equations) = S::equations_in(&self.system.in_regime(&closed), *t, q, v, self.inputs) else {
             return;
         };
-        let (changes, _) = equations.saddle.solve(&[num_traits::Zero::zero(); N], &wanted);
+        let (changes, _) = equations.saddle.solve(&[zero; N], &wanted);
         for (v, change) in v.iter_mut().zip(changes).filter(|(_, change)| change.is_finite()) {
             *v += change.part(0);
         }

@@ -18,6 +18,9 @@ use crate::system::state::State;
 /// The most changes of regime without any time between them, for each row and kink. More count as endless.
 pub(super) const CHANGES: usize = 4;
 
+/// The longest step, as a multiple of the time that is asked for. Calls for short times share long steps.
+const AHEAD: f64 = 1024.0;
+
 /// The place where a piece ends before its step.
 pub(super) struct Event<R, const N: usize> {
     pub(super) state: State<R, N>,
@@ -190,8 +193,14 @@ where
             }
             let memory = &mut *self.memory;
             let (in_regime, constants) = (&memory.in_regime, &memory.constants);
+            // A motion with constant accelerations has a series for all times, of which the end leaves the
+            // beginning no digits: a slip that is about to end would not be seen to end.
+            let mut limits = *self.limits;
+            if C > 0 {
+                limits.step = Some(limits.clip(S::Scalar::from_f64(AHEAD) * (t - here.t).abs()));
+            }
             let stepped =
-                M::step(&mut memory.inner, in_regime, constants, self.control, self.limits, t, attempts);
+                M::step(&mut memory.inner, in_regime, constants, self.control, &limits, t, attempts);
             if let Err(error) = stepped {
                 if self.lets_go(&error.cause).map_err(|cause| at(&here, cause))? {
                     continue;
