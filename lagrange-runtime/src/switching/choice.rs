@@ -9,7 +9,7 @@
 
 use super::scene::{Scene, Status, above, entry, extent, most, product, rounding};
 use super::shares::Sticking;
-use super::trials::{Options, Part, combine, parts_at, regime};
+use super::trials::{Options, Part, combine, parts_at, regime, thresholds};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::linear::SaddlePoint;
@@ -92,10 +92,8 @@ where
         let is_coupled = S::ROWS.iter().zip(&self.status).any(|(row, &status)| {
             matches!(row, Row::Friction { normal: Some(_), .. }) && status != Status::Apart
         });
-        let fine: S::Scalar = rounding();
         let mut cause = Cause::NotFinite;
-        // Larger thresholds decide ties only where smaller ones have left no regime.
-        for part in [fine, fine * fine.sqrt().sqrt().recip(), fine.sqrt() * S::Scalar::from_f64(0.1)] {
+        for part in thresholds() {
             let mut chosen: Option<Choice<S::Scalar, N, C, W>> = None;
             let mut other = None;
             combine(&options, |parts| {

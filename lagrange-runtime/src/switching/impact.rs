@@ -18,12 +18,15 @@
 //! from its lowest point, which is not nearer than the plastic one.
 
 use super::scene::{Known, Scales, Scene, Status, above, extent, most, product, rounding};
-use super::trials::{Options, Part, combine};
+use super::trials::{Options, Part, combinations, combine, thresholds};
 use super::{Row, Switching};
 use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::state::State;
+
+/// The most combinations that are tried one by one at once.
+const FEW: usize = 64;
 
 /// Velocities after an impact, and the impulses of all rows.
 pub(super) type Struck<R, const N: usize, const C: usize> = ([R; N], [R; C]);
@@ -133,19 +136,25 @@ where
 
     fn strike(&self, demand: &Demand<S::Scalar, C>) -> Result<Impulses<S::Scalar, N, C>, Cause> {
         let options: [Options; C] = array(|row| self.ways(row));
-        let fine: S::Scalar = rounding();
+        let by_sweeps = || {
+            let parts = self.swept(&options, demand)?;
+            thresholds().into_iter().find_map(|part| self.agreed(&parts, &options, demand, part)?.ok())
+        };
+        // Of many combinations few agree, and sweeps find one sooner.
+        let are_many = combinations(&options) > FEW;
+        if are_many && let Some(found) = by_sweeps() {
+            return Ok(found);
+        }
         let mut cause = Cause::NotFinite;
-        for part in [fine, fine * fine.sqrt().sqrt().recip(), fine.sqrt() * S::Scalar::from_f64(0.1)] {
+        for part in thresholds() {
             let mut found = None;
             combine(&options, |parts| {
-                if let Some(strike) = self.impulses(parts, &options, demand, part) {
-                    match self.agree(parts, &strike, demand, part) {
-                        Ok(()) => found = Some(strike),
-                        Err(constraint) if cause == Cause::NotFinite => {
-                            cause = Cause::NoReaction { constraint, name: S::NAMES.constraint(constraint) };
-                        }
-                        Err(_) => {}
+                match self.agreed(parts, &options, demand, part) {
+                    Some(Ok(strike)) => found = Some(strike),
+                    Some(Err(constraint)) if cause == Cause::NotFinite => {
+                        cause = Cause::NoReaction { constraint, name: S::NAMES.constraint(constraint) };
                     }
+                    Some(Err(_)) | None => {}
                 }
                 found.is_some()
             });
@@ -153,7 +162,19 @@ where
                 return Ok(found);
             }
         }
-        Err(cause)
+        if are_many { Err(cause) } else { by_sweeps().ok_or(cause) }
+    }
+
+    /// The impulses of a combination if they agree with its demands; if not, the row where they do not.
+    fn agreed(
+        &self,
+        parts: &[Part; C],
+        options: &[Options; C],
+        demand: &Demand<S::Scalar, C>,
+        part: S::Scalar,
+    ) -> Option<Result<Impulses<S::Scalar, N, C>, usize>> {
+        let strike = self.impulses(parts, options, demand, part)?;
+        Some(self.agree(parts, &strike, demand, part).map(|()| strike))
     }
 
     /// The activities of a row in an impact.

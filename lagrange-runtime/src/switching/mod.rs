@@ -35,6 +35,7 @@ mod shares;
 mod since;
 mod standstill;
 mod steps;
+mod sweeps;
 mod trials;
 mod turning;
 

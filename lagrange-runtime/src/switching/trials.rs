@@ -1,5 +1,6 @@
 //! The combinations of activities of rows.
 
+use super::scene::rounding;
 use super::{Regime, Row};
 use crate::number::elements::array;
 use crate::number::real::Real;
@@ -59,6 +60,11 @@ impl Options {
         options
     }
 
+    /// The one to be tried first.
+    pub(super) fn first(&self) -> Part {
+        self.parts[0]
+    }
+
     /// The same, this one first or last.
     pub(super) fn with(mut self, part: Part, first: bool) -> Self {
         let own = self.parts.split_at_mut(self.count.min(3)).0;
@@ -73,12 +79,22 @@ impl Options {
     }
 }
 
+/// The parts of sizes below which numbers count as zero. Larger ones decide ties only where smaller ones have
+/// left no combination.
+pub(super) fn thresholds<R: Real>() -> [R; 3] {
+    let fine: R = rounding();
+    [fine, fine * fine.sqrt().sqrt().recip(), fine.sqrt() * R::from_f64(0.1)]
+}
+
+/// The number of combinations, or that of those that are tried if it is less.
+pub(super) fn combinations<const C: usize>(options: &[Options; C]) -> usize {
+    let count = |options: &Options| options.count.max(1);
+    options.iter().map(count).fold(1, |total: usize, count| total.saturating_mul(count).min(COMBINATIONS))
+}
+
 /// All combinations, those with the fewest changes first, until `visit` returns true.
 pub(super) fn combine<const C: usize>(options: &[Options; C], mut visit: impl FnMut(&[Part; C]) -> bool) {
-    let mut total: usize = 1;
-    for options in options {
-        total = total.saturating_mul(options.count.max(1)).min(COMBINATIONS);
-    }
+    let total = combinations(options);
     let mut visited = 0;
     for changes in 0..=C {
         for number in 0..total {
@@ -122,7 +138,7 @@ pub(super) fn regime<R: Real, const C: usize, const W: usize>(
                     continue;
                 }
                 if normal.is_some_and(|normal| parts[normal] == Part::Off && !driven[normal]) {
-                    if options[row].parts[0] != part {
+                    if options[row].first() != part {
                         return None;
                     }
                     continue;
