@@ -88,6 +88,11 @@ where
                 break;
             }
         }
+        // Friction points against the slip. If it has no size, the slip itself tells its direction.
+        let forward = |row: usize| {
+            let slip = self.laws.rows.rates[row] + product(&self.gradients[row], &changes);
+            (if impulses[row] == zero { slip } else { -impulses[row] }).is_positive()
+        };
         Some(array(|row| match S::ROWS[row] {
             Row::Unilateral => {
                 if impulses[row].is_positive() {
@@ -103,7 +108,7 @@ where
                 let length = impulses[row].hypot(pair.map_or(zero, |other| impulses[other]));
                 if above(S::Scalar::from_f64(AT_LIMIT) * limit, length) {
                     Part::On
-                } else if pair.is_some() || (-impulses[row]).is_positive() {
+                } else if pair.is_some() || forward(row) {
                     Part::Forward
                 } else {
                     Part::Backward

@@ -76,8 +76,8 @@ impl Stool {
 }
 
 /// Follows a stool of a number for one and a half seconds, or a thousand changes of its regime, and returns
-/// how many there were.
-fn follow(number: u64) -> usize {
+/// how many there were, or the error that ended its motion.
+fn follow(number: u64) -> Result<usize, MotionError<f64>> {
     let mut random = Samples::new(number);
     let mut pick = |low: f64, high: f64| random.number(low, high);
     let coefficient = |unit: f64, most: f64| ((3.0 * unit - 1.0).clamp(0.0, 1.0)) * most;
@@ -106,7 +106,7 @@ fn follow(number: u64) -> usize {
     let mut motion = stool.simulate(start).with_tolerance(1e-10).with_max_steps(20_000);
     let mut energy = stool.energy(motion.state());
     for switches in 0..1000 {
-        let switch = motion.advance_to_switch(1.5).unwrap_or_else(|error| panic!("{number}: {error}"));
+        let switch = motion.advance_to_switch(1.5)?;
         let state = *motion.state();
         let now = stool.energy(&state);
         assert!(now <= energy + 1e-8 * (1.0 + energy.abs()), "{number}: E grows to {now} from {energy}");
@@ -115,22 +115,26 @@ fn follow(number: u64) -> usize {
         let least = (0..4).map(|index| stool.foot(&q, index).z).fold(0.0, f64::min);
         assert!(least >= -1e-12, "{number}: penetration {least} at {}", state.t);
         if switch.is_none() {
-            return switches;
+            return Ok(switches);
         }
     }
-    1000
+    Ok(1000)
 }
 
 #[test]
 fn stools_obey_the_laws_of_contact() {
-    let switches: usize = [2, 5, 8].into_iter().map(follow).sum();
+    let switches: usize = [2, 5, 8].into_iter().map(|number| follow(number).unwrap()).sum();
     assert!(switches > 10);
 }
 
 #[test]
 #[ignore = "hundreds of motions: scripts/check.sh runs them"]
 fn hundreds_of_stools_come_to_rest() {
-    (0..94).chain(95..400).for_each(|number| _ = follow(number));
+    let ends = (0..400).filter_map(|number| follow(number).err());
+    let ends: Vec<Cause> = ends.map(|error| error.cause).collect();
+    // Two feet that stick have shares of the friction along the line between them that no law tells.
+    assert!(ends.iter().all(|cause| matches!(cause, Cause::EndlessSwitching { .. })), "{ends:?}");
+    assert!(ends.len() <= 4, "{ends:?}");
 }
 
 /// A ball of radius 1/8 that strikes the corner between a floor and a wall, both rough.
