@@ -1,8 +1,7 @@
 //! Accelerations and reactions at a state alone, without a motion that leads there.
 
 use super::choice::{Choice, sides};
-use super::scene::{Known, Scales, Scene};
-use super::shares::Sticking;
+use super::scene::{Known, Scales, Scene, Sticking};
 use super::{Regime, Row, Switching};
 use crate::number::real::Real;
 use crate::system::System;

@@ -1,5 +1,5 @@
-//! Regimes that differ by more than a tie: several motions from one state are a paradox only where all numbers
-//! that tell them apart are certain.
+//! Regimes that differ by more than a tie: several motions from one state are a paradox only where all
+//! numbers that tell them apart are certain.
 
 use super::choice::Choice;
 use super::scene::{Scene, Status, above, extent, product};
@@ -57,8 +57,8 @@ where
         }
     }
 
-    /// Whether the gradient of a closed contact is no combination of the others in a regime. If it is one, the
-    /// equations give the sum of their reactions alone, and friction may be driven by any part of it.
+    /// Whether the gradient of a closed contact is no combination of the others in a regime. If it is one,
+    /// the equations give the sum of their reactions alone, and friction may be driven by any part of it.
     fn is_independent(&self, row: usize, choice: &Choice<S::Scalar, N, C, W>) -> bool {
         let rank = |regime: &Regime<S::Scalar, C, W>| {
             self.balance(regime, &choice.velocities).map(|(balance, _)| balance.independence.rank)

@@ -7,8 +7,7 @@
 //!
 //! Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapters 5 and 7.
 
-use super::scene::{Scene, Status, above, entry, extent, most, product, rounding};
-use super::shares::Sticking;
+use super::scene::{Scene, Status, Sticking, above, entry, extent, most, product, rounding};
 use super::trials::{Options, Part, combine, parts_at, regime, thresholds};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;

@@ -7,12 +7,13 @@ use super::scene::{Scales, entry, most, rounding};
 use super::{Functions, Regime, Row, Switching};
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved};
 use crate::number::elements::{Each, array};
-use crate::number::real::{Ordered, Real, larger, smaller};
+use crate::number::real::{Ordered, Real};
 use crate::number::rounded::Rounded;
 use crate::system::error::Cause;
 use crate::system::state::State;
 pub(super) use values::Parts;
 use values::Values;
+pub(super) use values::is_clear;
 use watch::Watch;
 
 /// The most evaluations of all guards that are kept: those of a polynomial of degree 16, and those that test
@@ -301,8 +302,8 @@ where
                         earliest = Some((place, guard));
                     }
                     Ok(_) => {}
-                    // No polynomial knows the distance from a centre at the centre, or follows the errors of a
-                    // reaction that drives a slow slip.
+                    // No polynomial knows the distance from a centre at the centre, or follows the errors
+                    // of a reaction that drives a slow slip.
                     Err(_) if is_clear(|place| values(place).get(guard).0) => {}
                     Err(why) => unresolved = Some(why),
                 }
@@ -388,15 +389,4 @@ where
         let zero = polynomial.first(Kind::Falling, memory);
         Ok(zero.map(|zero| zero.polish(|place| value(place).0)))
     }
-}
-
-/// Whether a guard on a part of the step is as far from zero as it would not come in many such parts. The
-/// multiples of the golden ratio are places where no oscillation repeats itself.
-#[cold]
-pub(super) fn is_clear<R: Ordered>(mut value: impl FnMut(R) -> R) -> bool {
-    let values = [0.0, 0.090_17, 0.236_07, 0.381_97, 0.527_86, 0.618_03, 0.763_93, 0.854_1, 1.0]
-        .each(|place| value(R::from_f64(place)));
-    let least = values.into_iter().fold(values[0], smaller);
-    let most = values.into_iter().fold(values[0], larger);
-    least > R::from_f64(64.0) * (most - least) && values.iter().all(|value| value.is_finite())
 }

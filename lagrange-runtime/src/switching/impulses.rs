@@ -1,8 +1,7 @@
 //! The impulses of one combination of activities in an impact.
 
 use super::impact::{Demand, Impulses};
-use super::scene::{Scene, above, most, product};
-use super::shares::Sticking;
+use super::scene::{Scene, Sticking, above, most, product};
 use super::trials::{Options, Part, regime};
 use super::turning::{TURNS, Turning, newton, pairs};
 use super::{Regime, Row, Switching};
@@ -54,7 +53,8 @@ where
         let rates = &self.laws.rows.rates;
         let after =
             |row: usize, changes: &[S::Scalar; N]| rates[row] + product(&self.gradients[row], changes);
-        // The strike at velocities with some slips, what it lacks of their change, and whether that is nothing.
+        // The strike at velocities with some slips, what it lacks of their change, and whether that is
+        // nothing.
         let seek = |changes: &[S::Scalar; N]| {
             let slips: [S::Scalar; C] = array(|row| after(row, changes));
             let strike = solve(&in_regime, &array(|i| v[i] + changes[i]))?;

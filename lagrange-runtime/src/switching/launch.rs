@@ -60,9 +60,9 @@ where
         Begins(begins)
     }
 
-    /// The same scene with slips in two directions at rest that are slower than those that begin; `None` where
-    /// there are none. Errors of velocities leave them no direction, and friction in a wrong direction may
-    /// leave no motion.
+    /// The same scene with slips in two directions at rest that are slower than those that begin; `None`
+    /// where there are none. Errors of velocities leave them no direction, and friction in a wrong direction
+    /// may leave no motion.
     #[cold]
     pub(super) fn resting(&self) -> Option<Self> {
         let mut status = self.status;

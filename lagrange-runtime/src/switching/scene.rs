@@ -119,6 +119,15 @@ pub(super) enum Status {
     Slips,
 }
 
+/// The limit of a friction that sticks.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Sticking {
+    /// By the coefficient at rest.
+    ByForces,
+    /// By that of a slip: in an impact there is no rest before it.
+    ByImpulses,
+}
+
 /// The knowledge of a state beside its numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Known<const C: usize> {

@@ -6,22 +6,13 @@
 
 use super::choice::{Choice, is_limit};
 use super::nearest::nearest;
-use super::scene::{Scene, Status, above, against, entry, extent, most, product, rounding};
+use super::scene::{Scene, Status, Sticking, above, against, entry, extent, most, product, rounding};
 use super::turning::TURNS;
 use super::{Coefficients, Regime, Row, Switching};
 use crate::linear::{SaddlePoint, Switched};
 use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::state::State;
-
-/// The limit of a friction that sticks.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Sticking {
-    /// By the coefficient at rest.
-    ByForces,
-    /// By that of a slip: in an impact there is no rest before it.
-    ByImpulses,
-}
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
 where
@@ -153,8 +144,8 @@ where
                     _ => found[row],
                 }));
             }
-            // Limits at which reactions are as good as tangent: their directions at the reactions found are
-            // those of Newton's method.
+            // The cone of a friction may be cut so flatly that these directions go to and fro. The cut where
+            // the reactions have been found is Newton's method, which comes from outside.
             if turn >= TURNS {
                 toward = found;
                 continue;

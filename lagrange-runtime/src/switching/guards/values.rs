@@ -2,7 +2,8 @@
 
 use super::super::Functions;
 use super::Guard;
-use crate::number::real::Real;
+use crate::number::elements::Each;
+use crate::number::real::{Ordered, Real, larger, smaller};
 
 /// The parts of guards, without reactions.
 pub(in crate::switching) struct Parts<T, const C: usize, const W: usize> {
@@ -44,4 +45,15 @@ impl<R: Real, const C: usize, const W: usize> Values<R, C, W> {
         };
         (value.copied().unwrap_or(R::one()), size.copied().unwrap_or(R::zero()))
     }
+}
+
+/// Whether a guard on a part of the step is as far from zero as it would not come in many such parts. The
+/// multiples of the golden ratio are places where no oscillation repeats itself.
+#[cold]
+pub(in crate::switching) fn is_clear<R: Ordered>(mut value: impl FnMut(R) -> R) -> bool {
+    let values = [0.0, 0.090_17, 0.236_07, 0.381_97, 0.527_86, 0.618_03, 0.763_93, 0.854_1, 1.0]
+        .each(|place| value(R::from_f64(place)));
+    let least = values.into_iter().fold(values[0], smaller);
+    let most = values.into_iter().fold(values[0], larger);
+    least > R::from_f64(64.0) * (most - least) && values.iter().all(|value| value.is_finite())
 }
