@@ -113,8 +113,8 @@ where
             let (change, _) = held.saddle.solve(&[zero; N], &lack);
             Some(array(|i| v[i] + change[i]))
         };
-        // The rates of slips in these directions, and whether they have the directions. If nothing accelerates
-        // a slip, it takes the direction of the force that drives it.
+        // The rates of slips in these directions, and whether they have the directions. If nothing
+        // accelerates a slip, it takes the direction of the force that drives it.
         let growing = |slips: &[S::Scalar; C]| {
             let (balance, sizes) = self.balance(regime, &slipping(slips)?)?;
             let (mut grown, mut is_done) = (*slips, true);

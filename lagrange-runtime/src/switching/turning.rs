@@ -51,8 +51,8 @@ impl<R: Real, const C: usize> Turning<R, C> {
 /// The least share of a step of Newton's method that is tried.
 const LEAST_SHARE: f64 = 1.0 / 1024.0;
 
-/// Newton's method for x = F(x), with derivatives by differences. `image` gives F and whether x is as close to
-/// it as can be. `None` where no step leads nearer: slips that come to rest have no direction.
+/// Newton's method for x = F(x), with derivatives by differences. `image` gives F and whether x is as close
+/// to it as can be. `None` where no step leads nearer: slips that come to rest have no direction.
 #[cold]
 pub(super) fn newton<R: Real, const N: usize>(
     start: [R; N],
@@ -66,8 +66,8 @@ pub(super) fn newton<R: Real, const N: usize>(
     };
     let apart = |x: &[R; N], y: &[R; N]| -> [R; N] { array(|i| y[i] - x[i]) };
     let (mut x, (mut reached, mut is_done)) = (start, image(&start)?);
-    // The step after the last one gives all digits; derivatives follow one step behind, with the derivatives
-    // of F alone, which differences give to half of all digits.
+    // The step after the last one gives all digits. Derivatives follow one step behind, with those of F
+    // alone, which differences give to half of all digits.
     let mut more = if R::PARTS > 1 { 2 } else { 1 };
     for _ in 0..TURNS {
         if is_done {
