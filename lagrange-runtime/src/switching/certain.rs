@@ -2,7 +2,7 @@
 //! numbers that tell them apart are certain.
 
 use super::choice::Choice;
-use super::scene::{Scene, Status, above, extent, product};
+use super::scene::{Scene, Status, above, entry, extent, product, put};
 use super::trials::parts_at;
 use super::{Regime, Row, Switching};
 use crate::number::elements::Each;
@@ -33,12 +33,12 @@ where
         let part = S::Scalar::epsilon().sqrt();
         let sizes = choice.sizes.levelled(&self.units);
         let grows = |row: usize| {
-            let size = self.extent_of(row, &sizes.accelerations) + self.gamma[row].abs();
+            let size = self.extent_of(row, &sizes.accelerations) + entry(&self.gamma, row).abs();
             above(self.rate(row, &choice.accelerations).abs(), part * size)
         };
         let is_tie = |(row, kind): (usize, &Row)| {
-            let begins =
-                self.status[row] == Status::Rests && choice.regime.slip[row] != num_traits::Zero::zero();
+            let slips = entry(&choice.regime.slip, row) != num_traits::Zero::zero();
+            let begins = slips && self.status.get(row) == Some(&Status::Rests);
             match kind {
                 Row::Friction { pair, .. } => begins && !grows(row) && !pair.is_some_and(grows),
                 _ => false,
@@ -47,14 +47,12 @@ where
         if S::ROWS.iter().enumerate().any(is_tie) {
             return false;
         }
-        if choice.regime.active[row] {
-            let gradient = &self.gradients[row];
-            let squares = product(gradient, gradient);
-            above(choice.multipliers[row].abs() * squares, part * extent(gradient, &sizes.forces))
-                && self.is_independent(row, choice)
-        } else {
-            grows(row)
-        }
+        let Some(gradient) = self.gradients.get(row).filter(|_| choice.regime.active.get(row) == Some(&true))
+        else {
+            return grows(row);
+        };
+        let reaction = entry(&choice.multipliers, row).abs() * product(gradient, gradient);
+        above(reaction, part * extent(gradient, &sizes.forces)) && self.is_independent(row, choice)
     }
 
     /// Whether the gradient of a closed contact is no combination of the others in a regime. If it is one,
@@ -64,7 +62,7 @@ where
             self.balance(regime, &choice.velocities).map(|(balance, _)| balance.independence.rank)
         };
         let mut without = choice.regime;
-        without.active[row] = false;
+        put(&mut without.active, row, false);
         rank(&without) != rank(&choice.regime)
     }
 }

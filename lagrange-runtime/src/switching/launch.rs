@@ -184,8 +184,8 @@ where
         // A contact that closes meanwhile would be missed.
         let half = S::Scalar::from_f64(0.5);
         let closes = |row: usize| {
-            let open = S::ROWS[row] == Row::Unilateral && !regime.active[row];
-            let (gap, rate) = (self.laws.rows.positions[row], self.laws.rows.rates[row]);
+            let open = S::ROWS.get(row) == Some(&Row::Unilateral) && regime.active.get(row) == Some(&false);
+            let (gap, rate) = (entry(&self.laws.rows.positions, row), entry(&self.laws.rows.rates, row));
             let change = later * (rate + half * later * self.rate(row, &balance.accelerations));
             open && (-change).is_positive() && (-(gap + change)).is_positive()
         };

@@ -7,7 +7,7 @@
 //! other combination.
 
 use super::impact::Demand;
-use super::scene::{Scene, above, most, product};
+use super::scene::{Scene, above, entry, most, product, put};
 use super::trials::{Options, Part};
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
@@ -45,9 +45,17 @@ where
         let own: [S::Scalar; C] = array(|row| product(&self.gradients[row], &columns[row]).part(0));
         let wanted: [S::Scalar; C] = array(|row| self.wanted(row, &demand.restitution));
         let (mut impulses, mut changes) = ([zero; C], [zero; N]);
-        let lacks = |row: usize, changes: &[S::Scalar; N]| {
-            let lack = wanted[row] - product(&self.gradients[row], changes);
-            if own[row].is_positive() { lack / own[row] } else { zero }
+        let along = |row: usize, changes: &[S::Scalar; N]| {
+            self.gradients.get(row).map_or(zero, |gradient| product(gradient, changes))
+        };
+        // The impulse that a row needs, with those of the others as they are.
+        let needs = |row: usize, impulses: &[S::Scalar; C], changes: &[S::Scalar; N]| {
+            let (lack, own) = (entry(&wanted, row) - along(row, changes), entry(&own, row));
+            entry(impulses, row) + if own.is_positive() { lack / own } else { zero }
+        };
+        let closed = |row: usize| self.is_closed.get(row) == Some(&true);
+        let limit = |row: usize, normal: usize, impulse: S::Scalar, impulses: &[S::Scalar; C]| {
+            entry(&self.against(-impulse).kinetic, row) * entry(impulses, normal)
         };
         for _ in 0..SWEEPS {
             let (mut moved, mut size) = (zero, zero);
@@ -55,23 +63,24 @@ where
                             impulse: S::Scalar,
                             impulses: &mut [S::Scalar; C],
                             changes: &mut [S::Scalar; N]| {
-                let more = impulse - impulses[row];
-                impulses[row] = impulse;
-                *changes = array(|i| changes[i] + more * columns[row][i]);
+                let more = impulse - entry(impulses, row);
+                put(impulses, row, impulse);
+                if let Some(column) = columns.get(row) {
+                    *changes = array(|i| changes[i] + more * column[i]);
+                }
                 (moved, size) = (moved + more.abs(), size + impulse.abs());
             };
             for (row, kind) in S::ROWS.iter().enumerate() {
                 match *kind {
-                    Row::Unilateral if self.is_closed[row] => {
-                        let impulse = most(impulses[row] + lacks(row, &changes), zero);
+                    Row::Unilateral if closed(row) => {
+                        let impulse = most(needs(row, &impulses, &changes), zero);
                         take(row, impulse, &mut impulses, &mut changes);
                     }
                     Row::Friction { pair: Some(other), .. } if other < row => {}
-                    Row::Friction { normal: Some(normal), pair } if self.is_closed[normal] => {
+                    Row::Friction { normal: Some(normal), pair } if closed(normal) => {
                         let rows = [Some(row), pair];
-                        let free =
-                            rows.map(|row| row.map_or(zero, |row| impulses[row] + lacks(row, &changes)));
-                        let limit = self.against(-free[0]).kinetic[row] * impulses[normal];
+                        let free = rows.map(|row| row.map_or(zero, |row| needs(row, &impulses, &changes)));
+                        let limit = limit(row, normal, free[0], &impulses);
                         let length = free[0].hypot(free[1]);
                         let share =
                             if above(length, limit) { limit / length } else { num_traits::One::one() };
@@ -90,22 +99,19 @@ where
         }
         // Friction points against the slip. If it has no size, the slip itself tells its direction.
         let forward = |row: usize| {
-            let slip = self.laws.rows.rates[row] + product(&self.gradients[row], &changes);
-            (if impulses[row] == zero { slip } else { -impulses[row] }).is_positive()
+            let (slip, impulse) =
+                (entry(&self.laws.rows.rates, row) + along(row, &changes), entry(&impulses, row));
+            (if impulse == zero { slip } else { -impulse }).is_positive()
         };
         Some(array(|row| match S::ROWS[row] {
-            Row::Unilateral => {
-                if impulses[row].is_positive() {
-                    Part::On
-                } else {
-                    Part::Off
-                }
-            }
+            Row::Unilateral if entry(&impulses, row).is_positive() => Part::On,
+            Row::Unilateral => Part::Off,
             Row::Friction { normal: Some(normal), pair }
-                if impulses[normal].is_positive() && pair.is_none_or(|other| row < other) =>
+                if entry(&impulses, normal).is_positive() && pair.is_none_or(|other| row < other) =>
             {
-                let limit = self.against(-impulses[row]).kinetic[row] * impulses[normal];
-                let length = impulses[row].hypot(pair.map_or(zero, |other| impulses[other]));
+                let impulse = entry(&impulses, row);
+                let limit = limit(row, normal, impulse, &impulses);
+                let length = impulse.hypot(pair.map_or(zero, |other| entry(&impulses, other)));
                 if above(S::Scalar::from_f64(AT_LIMIT) * limit, length) {
                     Part::On
                 } else if pair.is_some() || forward(row) {
