@@ -79,6 +79,7 @@ pub(super) struct Rewriter<'g> {
 pub(super) struct NotSmooth;
 
 impl<'g> Rewriter<'g> {
+    /// A rewriter for a system.
     pub fn new(graph: &'g mut Graph, scope: Scope<'g>) -> Self {
         let direction = turning_direction(graph, scope.coordinates, scope.turning);
         let mut rates = Lookup::default();
@@ -158,10 +159,7 @@ impl<'g> Rewriter<'g> {
 
     /// Whether the root of a node has a kink at rest.
     fn rests_at_zero(&mut self, id: NodeId) -> bool {
-        let rates = self.direction.iter().map(|&(_, rate)| rate);
-        let velocities: Vec<NodeId> =
-            rates.filter(|&rate| self.graph.dependence(rate).meets(Dependence::VELOCITIES)).collect();
-        sides::rests_at_zero(self.graph, id, &velocities, self.switches)
+        sides::rests_at_zero(self.graph, id, &self.direction, self.switches)
     }
 
     fn power_of(&mut self, base: NodeId, exponent: Exponent) -> NodeId {

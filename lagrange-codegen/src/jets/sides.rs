@@ -12,18 +12,20 @@ const MOST: usize = 6;
 pub type Switch = (NodeId, NodeId);
 
 /// Whether a node is zero wherever the system is at rest, on a side of its switches that is taken there. Such
-/// is the speed in a drag force, whose root has a kink at rest. `velocities` are those of the system.
+/// is the speed in a drag force, whose root has a kink at rest. `direction` has the rate of each variable.
 pub(super) fn rests_at_zero(
     graph: &mut Graph,
     node: NodeId,
-    velocities: &[NodeId],
+    direction: &[(NodeId, NodeId)],
     switches: &[Switch],
 ) -> bool {
     if !graph.dependence(node).meets(Dependence::VELOCITIES) {
         return graph.is_zero(node);
     }
     let zero = graph.zero();
-    let rest: Vec<(NodeId, NodeId)> = velocities.iter().map(|&velocity| (velocity, zero)).collect();
+    let rates = direction.iter().map(|&(_, rate)| rate);
+    let moving = rates.filter(|&rate| graph.dependence(rate).meets(Dependence::VELOCITIES));
+    let rest: Vec<(NodeId, NodeId)> = moving.map(|velocity| (velocity, zero)).collect();
     let at_rest = |graph: &mut Graph, argument: NodeId| {
         let argument = substitute(graph, &[argument], &rest)[0];
         match graph.as_constant(argument) {

@@ -4,6 +4,7 @@ use super::choice::sides;
 use super::run::Run;
 use super::scene::{Known, Scene, above, against, entry, extent, most, rounding};
 use super::{Coefficients, Laws, Regime, Row, Switching};
+use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::control::Held;
@@ -54,6 +55,34 @@ where
         counts.evaluations += 1;
         self.memory.is_fresh = false;
         Ok(())
+    }
+
+    /// Opens the contacts that bear only because the motion has landed here, as far as it needs none of them,
+    /// where those that are closed depend on each other at this state and allow no motion beside it.
+    #[cold]
+    pub(super) fn lets_go(&mut self, cause: &Cause) -> Result<bool, Cause> {
+        let landed = core::mem::replace(&mut self.memory.landed, [false; C]);
+        let here = self.memory.end;
+        let is_first = self.memory.start.t == here.t;
+        if !is_first || !landed.contains(&true) || !matches!(cause, Cause::Undetermined { .. }) {
+            return Ok(false);
+        }
+        let closed = self.memory.regime.active;
+        let present = Regime { active: array(|row| closed[row] && !landed[row]), ..self.memory.regime };
+        let known = Known { closed, fired: None, settled: false, rested: [false; C] };
+        let mut state = here;
+        let regime = self.settle(&mut state, &present, known, num_traits::Zero::zero())?;
+        self.go_on(regime, state);
+        Ok(true)
+    }
+
+    /// Goes on from the present state, or from one a little later, in a regime.
+    pub(super) fn go_on(&mut self, regime: Regime<S::Scalar, C, W>, state: State<S::Scalar, N>) {
+        if state.t == self.memory.end.t {
+            self.enter(regime, state);
+        } else {
+            (self.memory.start, self.memory.next) = (self.memory.end, Some((regime, state)));
+        }
     }
 
     /// Checks that the coefficients of restitution and friction are valid.

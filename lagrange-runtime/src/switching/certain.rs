@@ -2,7 +2,7 @@
 //! numbers that tell them apart are certain.
 
 use super::choice::Choice;
-use super::scene::{Scene, Status, above, entry, extent, product, put};
+use super::scene::{Scene, Status, above, entry, put};
 use super::trials::parts_at;
 use super::{Regime, Row, Switching};
 use crate::number::elements::Each;
@@ -47,12 +47,11 @@ where
         if S::ROWS.iter().enumerate().any(is_tie) {
             return false;
         }
-        let Some(gradient) = self.gradients.get(row).filter(|_| choice.regime.active.get(row) == Some(&true))
-        else {
+        if choice.regime.active.get(row) != Some(&true) {
             return grows(row);
-        };
-        let reaction = entry(&choice.multipliers, row).abs() * product(gradient, gradient);
-        above(reaction, part * extent(gradient, &sizes.forces)) && self.is_independent(row, choice)
+        }
+        let reaction = entry(&choice.multipliers, row).abs();
+        above(reaction, part * self.borne(row, &sizes.forces)) && self.is_independent(row, choice)
     }
 
     /// Whether the gradient of a closed contact is no combination of the others in a regime. If it is one,

@@ -7,7 +7,7 @@
 //!
 //! Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapters 5 and 7.
 
-use super::scene::{Scene, Status, Sticking, above, entry, extent, most, product, rounding};
+use super::scene::{Scene, Status, Sticking, above, entry, most, product, rounding};
 use super::trials::{Options, Part, combine, parts_at, regime, thresholds};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
@@ -255,11 +255,7 @@ where
         // Beyond the first threshold, errors are those of the largest force, wherever it acts.
         let is_whole = above(part, rounding());
         let sizes = &if is_whole { trial.sizes.levelled(&self.units) } else { trial.sizes };
-        let scale = |row: usize| {
-            let Some(gradient) = self.gradients.get(row) else { return zero };
-            let squares = product(gradient, gradient);
-            if squares.is_positive() { extent(gradient, &sizes.forces) / squares } else { zero }
-        };
+        let scale = |row: usize| self.borne(row, &sizes.forces);
         for (row, kind) in S::ROWS.iter().enumerate() {
             if decided == Some(row) {
                 continue;

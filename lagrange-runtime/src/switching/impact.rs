@@ -17,7 +17,7 @@
 //! before it to twice as far behind it the kinetic energy is a parabola with equal values at equal distances
 //! from its lowest point, which is not nearer than the plastic one.
 
-use super::scene::{Known, Scales, Scene, Status, above, extent, most, product, rounding};
+use super::scene::{Known, Scales, Scene, Status, above, most, product, rounding};
 use super::trials::{Options, Part, combinations, combine, thresholds};
 use super::{Row, Switching};
 use crate::number::elements::{Each, array};
@@ -227,11 +227,7 @@ where
         let mut sizes = [zero; N];
         self.load(&strike.impulses, &mut sizes);
         self.load(&demand.given, &mut sizes);
-        let scale = |row: usize| {
-            let gradient = &self.gradients[row];
-            let squares = product(gradient, gradient);
-            if squares.is_positive() { extent(gradient, &sizes) / squares } else { zero }
-        };
+        let scale = |row: usize| self.borne(row, &sizes);
         for (row, kind) in S::ROWS.iter().enumerate() {
             let gradient = &self.gradients[row];
             let before = self.laws.rows.rates[row];

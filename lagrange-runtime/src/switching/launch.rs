@@ -60,9 +60,9 @@ where
         Begins(begins)
     }
 
-    /// The same scene with slips in two directions at rest that are slower than those that begin; `None`
-    /// where there are none. Errors of velocities leave them no direction, and friction in a wrong direction
-    /// may leave no motion.
+    /// The same scene, in which slips in two directions that are slower than those that begin are at rest;
+    /// `None` where there are none. Their directions are errors of velocities, and friction in a wrong
+    /// direction may leave no motion.
     #[cold]
     pub(super) fn resting(&self) -> Option<Self> {
         let mut status = self.status;
@@ -190,6 +190,13 @@ where
             open && (-change).is_positive() && (-(gap + change)).is_positive()
         };
         (!(0..C).any(closes)).then_some(later)
+    }
+
+    /// The multiplier with which a row balances forces or impulses of these sizes.
+    pub(super) fn borne(&self, row: usize, sizes: &[S::Scalar; N]) -> S::Scalar {
+        let squares = self.gradients.get(row).map(|gradient| product(gradient, gradient));
+        let squares = squares.filter(|squares| squares.is_positive());
+        squares.map_or(num_traits::Zero::zero(), |squares| self.extent_of(row, sizes) / squares)
     }
 
     /// Σ |aᵢ xᵢ| of the gradient of a row.

@@ -27,11 +27,11 @@ where
     pub(super) fn part(&self, regime: &Regime<S::Scalar, C, W>, state: &mut State<S::Scalar, N>) {
         let zero: S::Scalar = num_traits::Zero::zero();
         // The direction that is excluded.
-        let against = |row: usize| match (S::ROWS[row], self.status[row]) {
-            (Row::Unilateral, Status::Touches) if !regime.active[row] => {
+        let against = |row: usize| match (S::ROWS.get(row), self.status.get(row)) {
+            (Some(Row::Unilateral), Some(Status::Touches)) if regime.active.get(row) == Some(&false) => {
                 -<S::Scalar as num_traits::One>::one()
             }
-            (Row::Friction { pair: None, .. }, Status::Rests) => -regime.slip[row],
+            (Some(Row::Friction { pair: None, .. }), Some(Status::Rests)) => -entry(&regime.slip, row),
             _ => zero,
         };
         if (0..C).all(|row| against(row) == zero) {

@@ -21,6 +21,9 @@ pub(super) const CHANGES: usize = 4;
 /// The longest step, as a multiple of the time that is asked for. Calls for short times share long steps.
 const AHEAD: f64 = 1024.0;
 
+/// The most times that a step without a known end is tried shorter, by the same factor.
+const NEARER: usize = 4;
+
 /// The place where a piece ends before its step.
 pub(super) struct Event<R, const N: usize> {
     pub(super) state: State<R, N>,
@@ -199,8 +202,17 @@ where
             if C > 0 {
                 limits.step = Some(limits.clip(S::Scalar::from_f64(AHEAD) * (t - here.t).abs()));
             }
-            let stepped =
+            let mut stepped =
                 M::step(&mut memory.inner, in_regime, constants, self.control, &limits, t, attempts);
+            // The end of such a series may lie where no configuration is known well enough.
+            for _ in 0..NEARER {
+                let Err(MotionError { cause: Cause::Undetermined { .. }, .. }) = stepped else { break };
+                let Some(longest) = limits.step.as_mut() else { break };
+                *longest /= S::Scalar::from_f64(AHEAD);
+                M::restart(&mut memory.inner, here);
+                stepped =
+                    M::step(&mut memory.inner, in_regime, constants, self.control, &limits, t, attempts);
+            }
             if let Err(error) = stepped {
                 if self.lets_go(&error.cause).map_err(|cause| at(&here, cause))? {
                     continue;
@@ -250,34 +262,6 @@ where
                 return Err(at(&state, Cause::TooManySteps));
             }
             *attempts -= 1;
-        }
-    }
-
-    /// Opens the contacts that bear only because the motion has landed here, as far as it needs none of them,
-    /// where those that are closed depend on each other at this state and allow no motion beside it.
-    #[cold]
-    fn lets_go(&mut self, cause: &Cause) -> Result<bool, Cause> {
-        let landed = core::mem::replace(&mut self.memory.landed, [false; C]);
-        let here = self.memory.end;
-        let is_first = self.memory.start.t == here.t;
-        if !is_first || !landed.contains(&true) || !matches!(cause, Cause::Undetermined { .. }) {
-            return Ok(false);
-        }
-        let closed = self.memory.regime.active;
-        let present = Regime { active: array(|row| closed[row] && !landed[row]), ..self.memory.regime };
-        let known = Known { closed, fired: None, settled: false, rested: [false; C] };
-        let mut state = here;
-        let regime = self.settle(&mut state, &present, known, num_traits::Zero::zero())?;
-        self.go_on(regime, state);
-        Ok(true)
-    }
-
-    /// Goes on from the present state, or from one a little later, in a regime.
-    pub(super) fn go_on(&mut self, regime: Regime<S::Scalar, C, W>, state: State<S::Scalar, N>) {
-        if state.t == self.memory.end.t {
-            self.enter(regime, state);
-        } else {
-            (self.memory.start, self.memory.next) = (self.memory.end, Some((regime, state)));
         }
     }
 

@@ -133,50 +133,6 @@ impl Column {
     }
 }
 
-/// A ball in three dimensions in a corner of three rough walls.
-struct Corner {
-    radius: f64,
-    restitution: f64,
-    friction: f64,
-}
-
-#[lagrangian(coordinates = [ball: Pose])]
-impl Corner {
-    #[body(mass = 1.0, inertia = [0.4 * self.radius * self.radius; 3])]
-    fn ball(&self, q: &Coordinates) -> Isometry3<f64> {
-        q.ball
-    }
-
-    #[potential]
-    fn weight(&self, q: &Coordinates) -> f64 {
-        9.81 * q.ball.translation.vector.z
-    }
-
-    #[unilateral(restitution = self.restitution)]
-    fn floor(&self, q: &Coordinates) -> f64 {
-        q.ball.translation.vector.z - self.radius
-    }
-
-    #[unilateral(restitution = self.restitution)]
-    fn wall(&self, q: &Coordinates) -> f64 {
-        q.ball.translation.vector.x - self.radius
-    }
-
-    #[friction(coefficient = self.friction, normal = floor)]
-    fn floor_slip(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
-        let below = q.ball.translation.vector - Vector3::new(0.0, 0.0, self.radius);
-        let slip = self.ball_velocity(q, v).at(below);
-        Vector2::new(slip.x, slip.y)
-    }
-
-    #[friction(coefficient = self.friction, normal = wall)]
-    fn wall_slip(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
-        let beside = q.ball.translation.vector - Vector3::new(self.radius, 0.0, 0.0);
-        let slip = self.ball_velocity(q, v).at(beside);
-        Vector2::new(slip.y, slip.z)
-    }
-}
-
 /// Counts of motions and their ends.
 #[derive(Debug, Default)]
 pub struct Tally {
@@ -244,6 +200,8 @@ macro_rules! follow {
         $tally.most_steps = $tally.most_steps.max(motion.steps().accepted);
     }};
 }
+
+mod corner;
 
 /// Follows the motion of a number.
 pub fn follow(number: u64, tally: &mut Tally) {
@@ -333,50 +291,12 @@ pub fn follow(number: u64, tally: &mut Tally) {
     }
 }
 
-/// Follows a ball in a corner.
-fn follow_in_corner(number: u64, tally: &mut Tally) {
-    let mut random = Samples::new(number);
-    let mut pick = |low: f64, high: f64| random.number(low, high);
-    let coefficient = |unit: f64, most: f64| ((3.0 * unit - 1.0).clamp(0.0, 1.0)) * most;
-    let radius = pick(0.05, 0.3);
-    let corner = Corner {
-        radius,
-        restitution: coefficient(pick(0.0, 1.0), 1.0),
-        friction: coefficient(pick(0.0, 1.0), 1.0),
-    };
-    let tilted = UnitQuaternion::from_euler_angles(pick(-1.0, 1.0), pick(-1.0, 1.0), pick(-1.0, 1.0));
-    let place = [pick(-0.3, 0.3).max(0.0) + radius, 0.0, pick(-0.3, 0.3).max(0.0) + radius];
-    let spins = pick(-1.0, 1.0) > 0.0;
-    let mut turn = |most: f64| if spins { pick(-most, most) } else { 0.0 };
-    let angular = Vector3::new(turn(20.0), turn(20.0), turn(20.0));
-    let linear = Vector3::new(pick(-3.0, 1.0), pick(-2.0, 2.0), pick(-2.0, 1.0));
-    let start = corner.state(
-        CornerCoordinates {
-            ball: Isometry3::from_parts(Translation3::new(place[0], place[1], place[2]), tilted),
-        },
-        CornerVelocities { ball: PoseVelocity { linear, angular } },
-    );
-    let gap = |corner: &Corner, state: &State<f64, 6>| {
-        let place = CornerCoordinates::from(state.q).ball.translation.vector;
-        place.x.min(place.z) - corner.radius
-    };
-    follow!(tally, number, corner, start, gap, true);
-}
-
 #[test]
 #[ignore = "ten thousand motions: scripts/check.sh runs them"]
 fn ten_thousand_random_contacts_obey_their_laws() {
     let mut tally = Tally::default();
     (0..10_000).for_each(|number| follow(number, &mut tally));
     assert!(tally.switches > 5 * tally.motions && 1000 * tally.paradoxes < tally.motions, "{tally:?}");
-}
-
-#[test]
-#[ignore = "ten thousand motions: scripts/check.sh runs them"]
-fn ten_thousand_balls_in_a_corner_have_one_motion() {
-    let mut tally = Tally::default();
-    (0..10_000).for_each(|number| follow_in_corner(number, &mut tally));
-    assert!(tally.switches > 5 * tally.motions && tally.paradoxes == 0, "{tally:?}");
 }
 
 /// A rod that comes to lie flat on the floor with one end at a wall. The wall bears nothing there, and its
@@ -394,18 +314,5 @@ fn a_rod_comes_to_lie_between_a_floor_and_a_wall() {
 fn discs_with_constant_accelerations_obey_their_laws() {
     let mut tally = Tally::default();
     [235, 1267, 2338, 3091, 7444].into_iter().for_each(|number| follow(number, &mut tally));
-    assert!(tally.switches > 5 * tally.motions && tally.paradoxes == 0, "{tally:?}");
-}
-
-/// Balls whose reactions at a wall are nothing but rounding errors, with the friction that these drive; balls
-/// that touch a wall at a velocity that is a rounding error; balls whose slips at two walls depend on each
-/// other; and balls that stick at both, where the equations do not tell the reactions.
-#[test]
-fn random_balls_in_a_corner_obey_their_laws() {
-    let mut tally = Tally::default();
-    let corners = (0..40)
-        .chain([41, 80, 83, 84, 103, 110, 142, 218, 248, 364, 383, 406, 475, 493, 546, 688, 710, 957])
-        .chain([1009, 1195, 1198, 1453, 1521, 1622, 1845]);
-    corners.for_each(|number| follow_in_corner(number, &mut tally));
     assert!(tally.switches > 5 * tally.motions && tally.paradoxes == 0, "{tally:?}");
 }
