@@ -112,7 +112,8 @@ fn drawn<const J: usize, const N: usize>(
     chart
 }
 
-/// Compares frequencies of both chains with closed forms, and draws their modes.
+/// Compares the frequencies of the hanging chain, and the equilibrium of the garland, with closed forms.
+/// Draws modes of both.
 pub fn main() -> Result<(), Box<dyn Error>> {
     let chain = Chain { mass: 0.1, length: 0.1, g: 9.81 };
     let hanging = chain.equilibrium([0.3; Chain::LINKS], &[])?;

@@ -10,7 +10,8 @@ use lagrangian::prelude::*;
 #[path = "support/study.rs"]
 mod study;
 
-/// A bob on a long thread over three magnets in a horizontal plane: the plane of its motion.
+/// A bob on a long thread over three magnets. The thread is so long that the bob moves in a horizontal plane;
+/// the magnets lie in another one below.
 #[derive(Clone, Copy, Debug)]
 pub struct MagneticPendulum {
     /// Gravity over the length of the thread \[1/s²].
@@ -65,9 +66,10 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         height: 0.3,
         magnets: [0.0, 1.0, 2.0].map(|k: f64| [(TAU * k / 3.0).cos(), (TAU * k / 3.0).sin()]),
     };
-    // Energy only falls. Once it is below that of every pass between two magnets, the bob stays where it is.
+    // Energy only falls. Once it is below that of every pass between two magnets, the bob stays with one.
     let energy = |x: f64, y: f64| pendulum.energy(&State::at_rest([x, y]));
-    // By symmetry the passes lie opposite to a magnet; the lowest energy between two, seen along the line.
+    // By symmetry a pass lies opposite to each magnet, on the line from it through the centre. Along this
+    // line the energy is lowest in the pass.
     let pass = (1..2000).map(|k| energy(-1e-3 * f64::from(k), 0.0)).fold(f64::INFINITY, f64::min);
 
     let grid = Grid::new([(-2.0, 2.0, options.height), (-2.0, 2.0, options.width)])?;

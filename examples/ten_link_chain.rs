@@ -55,7 +55,8 @@ fn slowest_mode() -> ([f64; Chain::LINKS + 1], f64) {
         x.reverse();
         x
     };
-    // A heavy rope would have ξ = 1.4458/n; the chain's zero lies below that and nowhere near the next one.
+    // A heavy rope would have ξ = 1.4458/n. The first zero of the chain lies a little below that, the second
+    // one far above.
     let (mut low, mut high) = (0.0, 1.4458 / Chain::LINKS as f64);
     while high - low > 4.0 * f64::EPSILON * high {
         let middle = 0.5 * (low + high);

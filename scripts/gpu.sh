@@ -103,8 +103,8 @@ Written by \`scripts/gpu.sh report\` and \`scripts/gpu.sh run\`.
 ## Assembled
 
 For $gpu by $("$(assembler)" --version | tail -1), from the PTX of $(rustc +nightly --version). Nothing is unresolved in it, so
-nothing can panic or allocate, and no operation rounds otherwise than on a CPU. A thread has at most 255 registers of 32 bits. The stack is memory of
-a thread, for arrays that are indexed: tables of series, the reduction of large arguments of trigonometric functions, factors of matrices. Spills are bytes
+nothing can panic or allocate, and no operation rounds otherwise than on a CPU; in the columns after \`fused\` products and sums may round together. A thread has
+at most 255 registers of 32 bits. The stack is memory of a thread, for arrays that are indexed: tables of series, the reduction of large arguments of trigonometric functions, factors of matrices. Spills are bytes
 that stand in this memory because registers are too few.
 
 TEXT

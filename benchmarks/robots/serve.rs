@@ -1,8 +1,8 @@
 //! The program of a robot. It answers requests about its states, line by line.
 //!
 //! `names`; `evaluate accelerations`, `evaluate derivatives`, `evaluate motions`; `refer accelerations`,
-//! `refer derivatives`, the same in 31 digits; `time SUBJECT SECONDS`. The states stand in the file that the
-//! program is given: a count, then coordinates, velocities and inputs of each.
+//! `refer derivatives`, the same, computed in 31 digits; `time SUBJECT SECONDS`. The states stand in the file
+//! that the program is given: a count, then coordinates, velocities and inputs of each.
 
 use std::hint::black_box;
 use std::io::Write as _;
@@ -19,7 +19,7 @@ type Answer<'a> = dyn Fn(&Request) -> String + 'a;
 enum Request<'a> {
     /// Values of all states.
     Evaluate(&'a str),
-    /// The same in more digits.
+    /// The same, computed in more digits.
     Refer(&'a str),
     /// The time of a subject, to be measured for some seconds.
     Time(&'a str, f64),
@@ -56,7 +56,7 @@ pub fn accelerations<S: System<N, K, Scalar = f64>, const N: usize, const K: usi
     });
 }
 
-/// Serves derivatives of accelerations, and both in 31 digits.
+/// Serves accelerations and their derivatives, in doubles and computed in 31 digits.
 pub fn derivatives<S, const N: usize, const K: usize, const D: usize>(robot: &S, names: &[&str; N])
 where
     S: Sensitive<N, K, 0, 0, D, Scalar = f64> + Linearized<N, K>,
@@ -102,7 +102,7 @@ where
 /// order of its square.
 const APART: f64 = 1e-10;
 
-/// Accelerations or their derivatives at a state, rounded from 31 digits.
+/// Writes accelerations or their derivatives at a state, computed in 31 digits and rounded to doubles.
 fn refer<S: System<N, K, Scalar = DoubleDouble>, const N: usize, const K: usize>(
     robot: &S,
     text: &mut String,

@@ -35,7 +35,7 @@ impl Chance {
 
     /// A number between two others, evenly distributed.
     pub fn between(&mut self, from: f64, to: f64) -> f64 {
-        // The upper 53 bits and a half: neither 0 nor 1.
+        // The upper 53 bits and a half: never 0. The largest of these sums is rounded up, to a share of 1.
         let share = ((self.bits() >> 11) as f64 + 0.5) / (1_u64 << 53) as f64;
         from * (1.0 - share) + to * share
     }

@@ -28,7 +28,7 @@ pub enum Error {
     },
     /// A text that is not PTX, or has no kernel.
     NotPtx,
-    /// Kernels call functions that exist nowhere: one that is named so can panic or allocate.
+    /// Kernels call functions that exist nowhere. So they can panic or allocate.
     Unresolved {
         /// The functions.
         names: Vec<String>,
@@ -40,7 +40,7 @@ pub enum Error {
         /// Its reason.
         reason: &'static str,
     },
-    /// The driver or the processor is too old.
+    /// The driver or the processor is too old, or the driver is not that of the running system.
     WrongVersion {
         /// The version that is needed.
         needed: String,
@@ -67,7 +67,7 @@ pub enum Error {
     OutOfMemory,
     /// Something else that the driver reports.
     Driver {
-        /// Its name for it.
+        /// The error, in words.
         code: &'static str,
     },
 }

@@ -67,8 +67,8 @@ impl Ptx {
         self.directive(".version").unwrap_or_default()
     }
 
-    /// The number of operations that do not round as a CPU does: fused, approximate or without subnormal
-    /// numbers. Kernels have none as they are built.
+    /// The number of operations that may not round as a CPU does. They are fused, or may be fused by the
+    /// driver, or are approximate or without subnormal numbers. Kernels have none as they are built.
     pub fn unlike_a_cpu(&self) -> usize {
         let instructions = self.text.lines().filter_map(|line| line.split_whitespace().next());
         let unlike = |name: &&str| {

@@ -2,7 +2,7 @@
 
 pub(crate) use plotters::style::RGBColor as Colour;
 
-/// Colours of Okabe and Ito, which remain distinct to colour-blind readers.
+/// Six colours of Okabe and Ito, which remain distinct to colour-blind readers, and a dark grey.
 pub(crate) const COLOURS: [Colour; 7] = [
     Colour(0, 114, 178),
     Colour(213, 94, 0),
@@ -12,7 +12,7 @@ pub(crate) const COLOURS: [Colour; 7] = [
     Colour(230, 159, 0),
     Colour(90, 90, 90),
 ];
-/// Guides, supports and rods.
+/// Guides: thin lines behind the curves of a chart.
 pub(crate) const GREY: Colour = Colour(170, 170, 170);
 /// Lines of the grid.
 pub(crate) const GRID: Colour = Colour(236, 236, 236);

@@ -27,14 +27,16 @@ pub fn of(
          Written by `cargo run --release -p benchmarks -- many`; [README.md](README.md#many-motions) says what is \
          measured.\n\n{}\n\
          ## Motions a second\n\n\
-         One thread, {} motions of a study, processor time, the cheapest run whose error is at or below the first \
-         column in nine of ten motions. Of heyoka the fastest of one motion after the other, 4 and 8 lanes; in \
-         parentheses its rate as a part of our best. `–`: no run is as good. Rounds of turns of all subjects: {}; the least \
-         time counts, because others may have used the machine.\n\n\
+         The rates are those of {} motions of a study on one thread, by processor time. The run that counts is the \
+         cheapest whose error is at or below the first column in nine of ten of the first {} motions. The figure of \
+         heyoka is the best of one motion after the other, 4 lanes and 8 lanes; in parentheses stands its part of our \
+         best. `–`: no run is as good. All subjects took turns in {} rounds; the least time counts, because others may \
+         have used the machine.\n\n\
          | system | error | alone | 4 lanes | 8 lanes | heyoka, same input | heyoka, equations by hand |\n\
          | --- | --- | --- | --- | --- | --- | --- |\n",
         machine::circumstances(versions),
         extent.motions,
+        extent.checked,
         extent.rounds,
     );
     let rate = |record: Option<&Record>| record.map(|record| 1e6 / record.us);

@@ -90,8 +90,8 @@ impl fmt::Display for Hash {
     }
 }
 
-/// Writes the bits of the motions of all systems by all methods: a line for each printed state, and a line
-/// with the hash of all states for each motion.
+/// Writes the bits of the elementary functions, and of motions of all systems but the puck. A motion has a
+/// line for each printed state, and a line with the hash of all states.
 ///
 /// # Errors
 /// Where the text cannot be written.

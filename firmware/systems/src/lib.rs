@@ -41,7 +41,7 @@ pub trait Experiment<const K: usize>: System<2, K> {
     fn inputs(state: &State<Self::Scalar, 2>) -> [Self::Scalar; K];
 }
 
-/// An action on every system and every fixed-step method that control loops use.
+/// An action on the systems of [`each`], by every fixed-step method that control loops use.
 pub trait Visitor<R: Bits> {
     /// The error that stops it.
     type Error;
@@ -56,14 +56,15 @@ pub trait Visitor<R: Bits> {
         M: FixedStep<S, 2, K>;
 }
 
-/// Shows all systems and methods to a visitor.
+/// Shows the double pendulum, the rod and the cart with a pole to a visitor, with each method.
 ///
 /// # Errors
 /// What stops the visitor.
 pub fn each<R: Bits, V: Visitor<R>>(visitor: &mut V) -> Result<(), V::Error> {
     methods::<DoublePendulum<R>, R, V, 0>(visitor)?;
     methods::<Rod<R>, R, V, 0>(visitor)?;
-    // The puck is a program of its own (`footprint`): its contacts fill the memory of a small board.
+    // The puck is not among them: its contacts fill the memory of a small board. It runs in `footprint`, a
+    // program of one system.
     methods::<CartPole<R>, R, V, 1>(visitor)
 }
 

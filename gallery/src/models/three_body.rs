@@ -40,7 +40,7 @@ impl ThreeBody {
     }
 }
 
-/// The figure eight of Chenciner and Montgomery: places and velocities of the first and of the third body.
+/// The figure eight of Chenciner and Montgomery: the place of the first body, and the velocity of the third.
 const EIGHT: [Point; 2] = [[0.970_004_36, -0.243_087_53], [-0.932_407_37, -0.864_731_46]];
 
 impl Model<6> for ThreeBody {

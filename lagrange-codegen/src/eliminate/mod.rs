@@ -15,7 +15,7 @@ use crate::kinematics::{slopes, turning_direction};
 use crate::model::{Action, Eliminated, Elimination, Force, Model, orientation};
 use crate::simplify::simplify;
 
-/// A coordinate with the quantities that replace it and its velocity.
+/// A coordinate, and its value as a function of the others and of time.
 struct Solved {
     coordinate: usize,
     position: NodeId,

@@ -88,7 +88,7 @@ pub struct Jets {
     pub convolutions: Vec<Convolution>,
     index_of: Lookup<Convolution, usize>,
     coefficients: Vec<Coefficient>,
-    /// Slots that are zero at any point of expansion: products with multipliers.
+    /// Whether each slot is zero at every point of expansion, as multipliers and products with them are.
     vanishing: Vec<bool>,
     /// All slots, operands first.
     pub order: Vec<Slot>,
@@ -97,7 +97,8 @@ pub struct Jets {
 }
 
 impl Jets {
-    /// Sorts a program whose outputs are momenta, rates, and the operands of the auxiliaries.
+    /// Sorts a program. Its outputs are momenta and their rates, what constraints add, the functions that are
+    /// followed, and the operands of the auxiliaries.
     pub(super) fn of(program: Program, auxiliaries: Vec<Auxiliary>, counts: Counts) -> Jets {
         let mut outputs = program.outputs.clone().into_iter();
         let mut next = || outputs.next().expect("jets: as many slots as nodes");

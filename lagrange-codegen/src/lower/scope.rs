@@ -133,7 +133,7 @@ impl Scope {
         self.own().any(|(own, entry)| own >= slot && entry.kind == Kind::Glob)
     }
 
-    /// Whether the innermost variable of a name comes from another syntax context.
+    /// Whether a variable in sight has this name in another syntax context.
     pub fn other_context(&self, name: &str) -> bool {
         self.own().any(|(_, entry)| {
             entry.kind == Kind::Variable && *entry.name != *name && written(&entry.name) == written(name)

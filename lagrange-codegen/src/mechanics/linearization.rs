@@ -35,7 +35,7 @@ pub struct Sensitivities {
     pub conditions: Vec<Vec<NodeId>>,
     /// Derivatives of f of the holonomic constraints.
     pub positions: Vec<Vec<NodeId>>,
-    /// Derivatives of w.
+    /// Derivatives of w, the constraints at the level of velocities.
     pub rates: Vec<Vec<NodeId>>,
 }
 

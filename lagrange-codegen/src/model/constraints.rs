@@ -117,7 +117,7 @@ pub struct Place {
     pub origin: Origin,
 }
 
-/// A holonomic constraint that gives a coordinate as a function of time.
+/// A holonomic constraint that is to give a coordinate as a function of the others and of time.
 #[derive(Clone, Debug)]
 pub struct Elimination {
     /// The constraint.

@@ -49,7 +49,7 @@ pub enum By {
 pub(super) enum Start {
     /// Nothing: the entry is one.
     Nothing,
-    /// A factor.
+    /// The reciprocal of the only entry.
     Inverse(Slot),
     /// The factors of the runtime.
     Runtime(By),

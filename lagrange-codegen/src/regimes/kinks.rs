@@ -66,12 +66,12 @@ pub(super) fn described(
     kinks.iter().map(of).collect()
 }
 
-/// Whether a node contains one.
+/// Whether a node contains a function with a kink or a jump.
 pub(super) fn are_in(model: &Model, node: NodeId) -> bool {
     model.graph.cone([node]).into_iter().any(|id| kinked(&model.graph, id).is_some())
 }
 
-/// The argument of a function with a kink, if it moves.
+/// The argument of a function with a kink or a jump, if the argument moves.
 fn kinked(graph: &Graph, id: NodeId) -> Option<NodeId> {
     match *graph.node(id) {
         Node::Unary(

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use crate::expr::{Graph, NodeId};
 
-/// The most constraints for which the runtime forms the inverse.
+/// The most constraints for which the runtime forms the inverse of A M⁻¹ Aᵀ.
 const SMALL: usize = 6;
 
 /// The cost of an operation over a list of entries, in operations on rows of known length.

@@ -52,7 +52,7 @@ fn pieces(tokens: TokenStream) -> Vec<Vec<TokenTree>> {
         let (before, rest) = (index.checked_sub(1).map(|index| &trees[index]), &trees[index..]);
         let is_pointer = before.is_some_and(|before| is_punct(before, '*'));
         let is_keyword = is_word(tree, &["fn"]);
-        // After a keyword alone another item may begin, but not with a second keyword.
+        // After `fn` without a name another item may begin, but not with a second `fn`.
         let is_open = declares || (is_function && !is_keyword);
         if is_open && !is_pointer && begins(rest) {
             pieces.push(Vec::new());
@@ -63,7 +63,7 @@ fn pieces(tokens: TokenStream) -> Vec<Vec<TokenTree>> {
             // A semicolon before any declaration ends nothing.
             continue;
         }
-        // A repeated keyword declares nothing more.
+        // A repeated `fn` declares nothing more.
         declares |= (is_function && !is_keyword) || is_word(tree, &["type"]) || is_constant(rest);
         let ends = match tree {
             TokenTree::Punct(punct) => punct.as_char() == ';',

@@ -132,7 +132,7 @@ fn check(model: &mut Model, equations: &Equations, recurrences: &Equations) -> R
     Ok(())
 }
 
-/// Checks a description, then with faults in the equations behind its recurrences, one at a time.
+/// Checks a description, and that each of several faults in the equations of its recurrences is noticed.
 #[track_caller]
 fn holds(wanted: Saddle, args: TokenStream, item: TokenStream) {
     let (mut model, equations) = derived(args, item);
@@ -176,7 +176,7 @@ fn faults(model: &mut Model, equations: &Equations) -> Vec<(String, Equations)> 
     faults
 }
 
-/// A moving ellipse, a rod to a point beside it, and a blade.
+/// A particle on a moving ellipse, with a blade.
 fn particle() -> TokenStream {
     quote! {
         impl Particle {

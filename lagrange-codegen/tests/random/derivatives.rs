@@ -71,7 +71,7 @@ pub struct Expected {
 }
 
 impl Expected {
-    /// Evaluates the definitions.
+    /// Evaluates the derivatives at a sample by their definitions.
     pub fn of(system: &System, parameters: &[usize], sample: &Sample) -> Expected {
         let (at, quantities) = (instant(system, sample), expected(system, sample));
         let accelerations: Vec<f64> = (0..system.count()).map(|i| 0.7 - 0.4 * i as f64).collect();

@@ -133,7 +133,7 @@ pub struct Scope<'a, T> {
 }
 
 impl<'a, T: Number> Scope<'a, T> {
-    /// A function of the role at `visible`, at its start.
+    /// What a function of the role at `visible` sees before its first `let`.
     pub fn new(system: &'a System, instant: &'a Instant<T>, visible: usize) -> Self {
         let nothing = T::constant(0.0);
         Scope {

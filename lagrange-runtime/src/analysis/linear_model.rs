@@ -312,7 +312,7 @@ where
     let a_by_q = columns(&saddle, |i, j| by_q[i][j], |c, j| conditions_by_q[c][j]);
     let a_by_v = columns(&saddle, |i, j| by_v[i][j], |c, j| conditions_by_v[c][j]);
     let a_by_u: Stored<SMatrix<S::Scalar, N, K>> = columns(&saddle, |i, j| by_u[i][j], |_, _| zero);
-    // The change of velocity that a change of position needs.
+    // −A⁺ (∂w/∂q): the change of velocity that keeps w at zero when the position changes.
     let entrained = columns(&saddle, |_, _| zero, |c, j| rates_by_q[c][j]);
 
     let (displacements, velocities) = if C == 0 {

@@ -46,7 +46,7 @@ impl<const N: usize> Places<N> {
 }
 
 impl<R: Real, const N: usize> Rows<R, N> {
-    /// Of no matrix.
+    /// Room for the factors of a matrix.
     pub fn new() -> Self {
         let zero = R::zero();
         Rows { factor: [[zero; N]; N], inverse: [zero; N], rows: Places::new(), columns: Places::new() }

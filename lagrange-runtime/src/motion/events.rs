@@ -33,8 +33,8 @@ use search::Search;
 
 /// A function of the state whose zeros are events.
 ///
-/// Closures are guards. They name the type of their argument, `|state: &State<f64, 2>| state.q[0]`. So are
-/// the events of a description, by name.
+/// Closures are guards, and so are the events of a description, by name. A closure names the type of its
+/// argument: `|state: &State<f64, 2>| state.q[0]`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no guard of `{S}`",
     label = "not a function of its state",

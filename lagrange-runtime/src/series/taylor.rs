@@ -74,7 +74,7 @@ impl<R: Ordered> Taylor<R> {
         sum(self.terms().get(1..).unwrap_or_default(), |term| if term < R::zero() { term } else { R::zero() })
     }
 
-    /// The same on the interval from `from` that is `width` long.
+    /// The polynomial on the part of the interval that begins at `from` and is `width` long.
     pub(crate) fn on(mut self, from: R, width: R) -> Self {
         if from.is_zero() && width == R::one() {
             return self;
@@ -89,7 +89,7 @@ impl<R: Ordered> Taylor<R> {
         self.terms().iter().rev().fold(R::zero(), |sum, &term| R::mul_add(sum, place, term))
     }
 
-    /// The same to a lower degree: the magnitudes of other terms are errors.
+    /// The polynomial to a lower degree: the magnitudes of other terms are errors.
     #[inline]
     pub(crate) fn shortened(mut self, degree: usize) -> Self {
         if degree < self.degree {

@@ -25,7 +25,8 @@ pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
     /// + h`. A result that is not finite is left to the caller.
     ///
     /// # Errors
-    /// Why the equations of an implicit method could not be solved.
+    /// Why the step could not be taken: constraints or switches that do not allow it, or equations of an
+    /// implicit method that were not solved.
     fn step(
         memory: &mut Self::Memory,
         system: &S,
@@ -144,7 +145,7 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
     fn counts(memory: &Self::Memory) -> Steps;
 
     /// The memory of a motion that goes on from a state by the equations of another system of the same kind,
-    /// which knows about how long its steps are.
+    /// which knows roughly how long its steps are.
     fn go_on(memory: &mut Self::Memory, system: &S, state: State<S::Scalar, N>)
     where
         S::Scalar: Ordered,

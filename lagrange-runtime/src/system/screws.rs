@@ -126,7 +126,7 @@ pub fn factored<R: Real, const N: usize, const G: usize, const C: usize, const P
 }
 
 impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Screws<R, N, G, C, P> {
-    /// Less the components of forces along the screws.
+    /// Minus the components of forces along the screws.
     fn along(&self, groups: &[Group; G], forces: &[Pair<R>; G]) -> [R; N] {
         let mut components = [R::zero(); N];
         for (group, force) in groups.iter().zip(forces) {
@@ -137,7 +137,7 @@ impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Sc
         components
     }
 
-    /// To the point of a group from that of another.
+    /// The vector to the point of a group from that of another.
     fn arm(&self, to: usize, from: usize) -> Vector<R> {
         each(|i| self.points[to][i] - self.points[from][i])
     }
@@ -146,7 +146,7 @@ impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Sc
         Pair::of(&self.screws[coordinate])
     }
 
-    /// Acceleration as if there were only weight.
+    /// A of a frame without acceleration: minus gravity.
     fn free(&self) -> Pair<R> {
         Pair([R::zero(); 3], each(|i| -self.gravity[i]))
     }

@@ -79,7 +79,7 @@ pub fn finite<S: System<N, K>, const N: usize, const K: usize>(
     }
 }
 
-/// A factorisation of a block of the mass matrix from its lower triangle; `None` where it is singular.
+/// A factorisation of a block of the mass matrix from its lower triangle.
 pub trait Factor<R, const N: usize>: Sized {
     /// Factors.
     ///
@@ -180,7 +180,7 @@ pub fn mass_of<R: Real, const N: usize>(momenta: impl Fn(&[R; N]) -> [R; N]) -> 
 /// Checks the block of a mass matrix that belongs to some coordinates.
 ///
 /// # Errors
-/// [`Cause::SingularMassMatrix`] with the coordinate; [`Cause::NotFinite`] for a matrix that has no numbers.
+/// [`Cause::SingularMassMatrix`] with the coordinate; [`Cause::NotFinite`] if not all of `mass` is finite.
 #[inline]
 pub fn check_block<F: Factor<R, B>, R: Real, const N: usize, const B: usize>(
     mass: &SMatrix<R, N, N>,

@@ -223,8 +223,8 @@ impl Table {
 
 #[test]
 fn gyroscopic_forces_hold_what_damping_lets_fall() {
-    // s⁴ + (4 W² + a + b) s² + a b with a, b = k − W²: a turning shaft, stable between or beyond its critical
-    // speeds.
+    // s⁴ + (4 W² + a + b) s² + a b with a, b = k − W²: a turning shaft, stable below and beyond its critical
+    // speeds, and unstable between them.
     let stability = |rate: f64, springs, drag| {
         let table = Table { rate, springs, drag };
         table.equilibrium([0.0, 0.0], &[]).unwrap().stability

@@ -217,7 +217,7 @@ fn the_identities_hold_for_a_row() {
     model!(Row).holds(-1.0, 1.0);
 }
 
-/// Vector algebra of nalgebra: a particle on a line in space, in a linear field.
+/// Vector algebra of nalgebra: a particle in a plane in space, in a linear field.
 struct Algebra {
     direction: Vector3<f64>,
     field: Matrix3<f64>,

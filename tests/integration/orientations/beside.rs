@@ -242,8 +242,8 @@ fn a_die_falls_on_its_corners() {
     }
 }
 
-/// It has come to rest on four corners, two of which on a diagonal bear all of the weight as well as any
-/// others do.
+/// In the end it lies on four corners, and their reactions are not unique: two on a diagonal can bear all of
+/// the weight.
 #[test]
 fn a_die_comes_to_lie_flat_and_slides_on() {
     let start = Die.state(

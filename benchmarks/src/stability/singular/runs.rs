@@ -104,7 +104,7 @@ pub struct Errors {
     pub energy: f64,
     /// Largest deviation from the true place.
     pub place: f64,
-    /// The bound of both.
+    /// The bound of `energy`. That of `place` is `PARTING` times as large.
     pub allowed: f64,
 }
 

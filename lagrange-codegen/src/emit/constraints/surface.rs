@@ -25,7 +25,7 @@ pub(in crate::emit) struct Implementations {
     pub evaluation: Evaluation,
 }
 
-/// All implementations.
+/// The implementations of `System` and `Surface`, with the constants of a run.
 pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Implementations {
     let (equations, constants_type, constants, evaluation) = equations(emission, method);
     let constants = format!(

@@ -63,7 +63,7 @@ impl Formula {
         if self.strength() == Strength::Sum { self.grouped() } else { self }
     }
 
-    /// The formula as the base of a power: anything but a single symbol or number gets parentheses.
+    /// The formula as the base of a power: sums, products and functions without parentheses get them.
     pub fn into_atom(self) -> Formula {
         if self.strength() == Strength::Atom { self } else { self.grouped() }
     }
@@ -105,7 +105,7 @@ impl Formula {
         }
     }
 
-    /// Whether the formula ends with a word.
+    /// Whether the formula ends with a word or with a power of one.
     pub fn ends_with_word(&self) -> bool {
         match self {
             Formula::Product(factors) => factors.last().is_some_and(Formula::ends_with_word),

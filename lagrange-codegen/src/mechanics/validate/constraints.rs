@@ -104,7 +104,7 @@ fn fault(
     }
     if constraint.kind == (ConstraintKind::Nonholonomic { chetaev: false }) {
         let beyond = beyond_degree(&model.graph, constraint.value, 1);
-        // An affine constraint may have terms beyond that cancel.
+        // A constraint is affine in the velocities, too, if its terms of higher degree cancel.
         if !beyond.is_empty() {
             let slopes = simplify(&mut model.graph, &mut model.hints, gradient);
             if slopes.iter().any(|&slope| model.graph.dependence(slope).meets(Dependence::VELOCITIES)) {

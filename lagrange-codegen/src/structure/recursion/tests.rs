@@ -20,7 +20,8 @@ impl Noise {
     }
 }
 
-/// A random form whose matrix is positive definite: squares of all unknowns, and of some sums of two.
+/// A random form whose matrix is positive definite. It has squares of all velocities and of some definitions,
+/// and products of two unknowns beside squares of both that outweigh them.
 fn form(graph: &mut Graph, noise: &mut Noise, velocities: usize, defined: usize) -> Quadratic {
     let mut definitions = Vec::new();
     for index in 0..defined {

@@ -20,7 +20,7 @@ pub(super) const RECORDS: [&str; 9] = [
 ];
 
 impl Interpreter<'_> {
-    /// A function of the runtime that only generated derivatives call; `None` if it is none.
+    /// The result of a function that only generated derivatives call; `None` for any other function.
     pub(super) fn of_derivatives(&self, function: &str, arguments: &[Value]) -> Option<Run<Value>> {
         let Point { q, u, multipliers, .. } = self.point;
         let (count, inputs, held) = (q.len(), u.len(), multipliers.len());

@@ -95,7 +95,7 @@ pub(crate) fn predicted<R: Real>(orders: usize, term: impl Fn(usize) -> R) -> R 
         let before = logarithms.iter().take(at).enumerate();
         let fall = |(j, &there): (usize, &R)| (there - here) / number(at - j);
         let Some(steepest) = before.map(fall).reduce(R::max) else { continue };
-        // The mean of the orders that follow, over this one: at least the geometric mean of their ratios.
+        // The mean of the orders that follow, over k. The geometric mean of their ratios to k is no larger.
         let rise = (number(orders + k + 1) / number(2 * k)).ln();
         largest = largest.max(here - number(orders - k) * (steepest + rise));
     }
@@ -160,7 +160,7 @@ mod tests {
 
     #[test]
     fn a_geometric_series_with_gaps_of_any_width_is_seen() {
-        // Of some orders two have terms, which fall threefold an order; the last two have none.
+        // Two of each `period` orders have terms, which fall threefold an order. The last two have none.
         for period in 3..9 {
             for phase in 0..period {
                 let has = |k: usize| (k + phase) % period < 2;
@@ -184,7 +184,7 @@ mod tests {
     #[test]
     fn zeros_predict_nothing_and_a_term_alone_something() {
         assert!(predicted(12, |_| 0.0) < 1e-60);
-        // The order 9 alone, above what counts as zero by e²⁰.
+        // The order 9 alone, 400 times what counts as zero.
         let found = predicted(12, |k| if k == 9 { 1e-60 } else { 0.0 });
         assert!(found > 1e-61 && found < 1e-58, "{found:e}");
     }

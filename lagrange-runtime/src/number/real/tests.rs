@@ -168,7 +168,7 @@ fn positive_means_above_zero_and_a_number() {
     }
 }
 
-/// Free fall with M = 2 of any scalar, solved by both factorisations.
+/// Free fall of a mass of 2, over any scalar. Each factorisation gives half of the acceleration.
 struct Fall<R>(R);
 
 impl<R: Real> System<1> for Fall<R> {

@@ -36,10 +36,10 @@ where
     }
 }
 
-/// Each case by its name, with the number of its starts.
+/// Makes a case with a number of starts.
 type Maker = fn(usize) -> Box<dyn Case>;
 
-/// All of them.
+/// All cases by their names.
 pub const CASES: [(&str, Maker); 14] = [
     ("angles", |n| Box::new(four_bar::equal(n))),
     ("angles-unequal", |n| Box::new(four_bar::unequal(n))),

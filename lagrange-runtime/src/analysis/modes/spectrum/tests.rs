@@ -217,7 +217,7 @@ fn defective_zeros_are_exact() {
 
 #[test]
 fn real_parts_are_zero_where_they_are_rounding() {
-    // z̈ − i g ż − s z = 0: λ = i g / 2 ± √(s − g²/4), mixed by a turn of both directions.
+    // With z = x + i y the equation is z̈ − i g ż − s z = 0, so λ = i g / 2 ± √(s − g²/4).
     for (s, g) in [(10.0, 7.0), (10.0, 6.4), (10.0, 100.0), (1e-3, 7.0), (-3.0, 0.1)] {
         let root: f64 = (0.25_f64 * g * g - s).sqrt();
         for value in checked(&sleeping_top(s, g), true, [1e-12; 2]) {

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// A polynomial with these roots and −1 before its highest power, with roundings as given.
+/// The product of all (root − θ), with this rounding error.
 fn with_roots(roots: &[f64], noise: f64) -> Taylor<f64> {
     let mut terms = [0.0; TERMS];
     terms[0] = 1.0;
