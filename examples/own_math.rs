@@ -51,7 +51,7 @@ const SHORTENED: i32 = 652_032_874;
 
 /// Cosine and sine, in units of 2⁻³⁰, of an angle of which 2³² is a full turn: additions and shifts alone.
 fn rotate(angle: u32) -> (i32, i32) {
-    // A quarter turn either way is exact; what remains is within an eighth.
+    // Quarter turns are exact. What remains is within an eighth of a turn.
     let quarter = angle.wrapping_add(1 << 29) >> 30;
     let mut rest = angle.wrapping_sub(quarter << 30) as i32;
     let (mut x, mut y) = (SHORTENED, 0);

@@ -28,7 +28,7 @@ pub struct Squeezer {
     pub torque: f64,
 }
 
-/// The crank, the coupler against it, then pairs of bars; all angles \[rad].
+/// The crank, the coupler against it, the lever, then two pairs of bars; all angles \[rad].
 #[lagrangian(coordinates = [beta, theta, gamma, phi, delta, omega, epsilon])]
 impl Squeezer {
     #[body(mass = self.mass[0], inertia = self.inertia[0])]

@@ -74,7 +74,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     }
     println!("Drawn: {}", Figure::new([phases, places]).save("target/stick_slip.svg")?.display());
 
-    // The middle of the cycle, upwards: once a period.
+    // The motion passes this place, near the middle of the cycle, upwards once a period.
     let mut motion = belt.simulate(State::at_rest([-0.2])).with_tolerance(1e-12);
     motion.advance_to(20.0)?;
     let mut times = Vec::new();

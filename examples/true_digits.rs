@@ -52,7 +52,8 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
         let [loose, tight] = digits;
         println!("{t:4}   {:22.18}   {loose:26.1} {tight:19.1}", truth.q[0]);
-        // Ten thousand times the tolerance apart, until one of them knows nothing any more.
+        // The tolerances differ by a factor of ten thousand. So the tight run has more digits, until the
+        // loose one has none.
         assert!(tight > loose || loose < 1.0);
         assert!(t > 1.0 || (tight > 12.0 && loose > 7.0));
     }

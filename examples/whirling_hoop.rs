@@ -58,7 +58,7 @@ impl WhirlingHoop {
         )
     }
 
-    /// Angle from the upward vertical \[rad] and its rate, signed by the side of the hoop.
+    /// Angle from the upward vertical \[rad], from 0 to 2π round the hoop, and its rate.
     fn angle(&self, state: &State<f64, 3>) -> (f64, f64) {
         let (sin, cos) = (self.rate * state.t).sin_cos();
         let outward = state.q[0] * cos + state.q[1] * sin;

@@ -46,9 +46,9 @@
 //! # }
 //! ```
 //!
-//! With `jacobians` in the attribute the derivatives of the equations are generated too, and with them the
-//! model can tell where it rests, how it oscillates there, and how its motion depends on the start and on
-//! parameters:
+//! With `jacobians` in the attribute the derivatives of the equations are generated too. With them the model
+//! tells where it rests, how it oscillates there, and how its motion depends on the start. `sensitivities`
+//! includes `jacobians` and adds derivatives by parameters:
 //!
 //! ```
 //! use lagrangian::prelude::*;
@@ -150,7 +150,7 @@ mod documents {
         FirstSteps "../book/src/first-steps.md"
     }
 
-    /// The chapters after the first may use every feature that a book about motions has use for.
+    /// The chapters after the first may use the features `ensemble` and `pictures`.
     #[cfg(all(feature = "ensemble", feature = "pictures"))]
     mod chapters {
         tested! {

@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The pages with links. The pages of `benchmarks` are written by programs, which know the names of headings.
+/// Pages beside the book whose links are checked. Programs that know the names of headings write `RESULTS.md`
+/// and `STABILITY.md`.
 const DOCUMENTS: &[&str] = &[
     "README.md",
     "ARCHITECTURE.md",

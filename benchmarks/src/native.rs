@@ -11,8 +11,9 @@ use std::process::{Command, exit};
 /// What the second build is for; it is set while that build compiles.
 const BUILT_FOR: Option<&str> = option_env!("BENCHMARKS_BUILT_FOR");
 
-/// Returns in the right build, and in any other one builds and runs the right one and does not return.
-/// `peers` says whether it holds the integrators of other crates.
+/// Returns in the right build. From what `cargo run` builds, it builds and runs the right one and does not
+/// return. In a second build for the other target it is an error. `peers` says whether the right build holds
+/// the integrators of other crates.
 pub fn enter(portable: bool, peers: bool) -> Result<(), Box<dyn Error>> {
     let wanted = if portable { "portable" } else { "native" };
     match BUILT_FOR {

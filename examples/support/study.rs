@@ -22,8 +22,8 @@ pub struct Options {
 }
 
 impl Options {
-    /// Takes `--width W --height H --out DIR --part K/N --threads T` from the command line. In tests it has
-    /// nothing for the example.
+    /// Takes `--width W --height H --out DIR --part K/N --threads T` from the command line. In tests the
+    /// command line is the test's, so nothing is taken from it.
     pub fn from_command_line(name: &str, width: u64, height: u64) -> Result<Self, Box<dyn Error>> {
         let out = Path::new(env!("CARGO_MANIFEST_DIR")).join("target").join(name);
         let mut options = Self { width, height, out, part: None, threads: 0 };
@@ -72,7 +72,7 @@ pub fn save(path: &Path, width: u64, pixels: &[[u8; 3]]) -> Result<(), Box<dyn E
     Ok(())
 }
 
-/// A colour between 0, dark blue, and 1, light yellow: viridis at nine places.
+/// A colour between 0, dark violet, and 1, yellow: viridis at nine places.
 pub fn colour(share: f64) -> [u8; 3] {
     const PLACES: [[f64; 3]; 9] = [
         [68.0, 1.0, 84.0],

@@ -14,7 +14,8 @@ thread_local! {
     static STATES: RefCell<Vec<State<f64, 2>>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Begins anew with so many pendulums, each turned by `spread` \[rad] against the one before.
+/// Begins anew with so many pendulums. The upper rod of each is turned by `spread` \[rad] against that of the
+/// one before.
 #[unsafe(no_mangle)]
 extern "C" fn begin(count: u32, angle: f64, spread: f64) {
     let state = |k: u32| State::at_rest([angle + spread * f64::from(k), angle]);

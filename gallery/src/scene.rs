@@ -2,8 +2,8 @@
 
 use crate::Point;
 
-/// Lines, discs, bodies and arrows, each as its kind, its colour, how many numbers follow, and these. Lengths
-/// are those of the system \[m].
+/// Lines, discs, bodies, arrows and points of a path, each as its kind, its colour, how many numbers follow,
+/// and these. Lengths are those of the system \[m], except the radius of a disc.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
     numbers: Vec<f64>,

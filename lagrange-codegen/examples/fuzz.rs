@@ -1,7 +1,7 @@
 //! Random changes of accepted descriptions through the expansion: none may panic or take long.
 //!
-//! `cargo run --release -p lagrange-codegen --example fuzz -- COUNT [SEED] [FOLDER]`; those that are accepted
-//! go into the folder as Rust modules, for rustc to check.
+//! `cargo run --release -p lagrange-codegen --example fuzz -- COUNT [SEED] [FOLDER]`; the first thousand that
+//! are accepted go into the folder as Rust modules, for rustc to check.
 
 #[path = "../tests/fuzz/mutation.rs"]
 mod mutation;
@@ -12,7 +12,7 @@ use std::time::Instant;
 use mutation::{ACCEPTED, Random, is_accepted, mutated};
 use proc_macro2::TokenStream;
 
-/// A line of counts after so many descriptions: of a run that ends early it tells how far it came.
+/// After so many descriptions a line of counts is printed. It tells how far a run came that ends early.
 const REPORTED: u64 = 50_000;
 
 /// The macro's words about a panic of its own.

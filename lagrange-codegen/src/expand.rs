@@ -62,7 +62,7 @@ pub fn expand_with(
         Ok(None) => {}
         Err(_) => diagnostics.error(Span::call_site(), physics::internal_error()),
     }
-    // The compiler has reported what does not parse. Other mistakes are reported when it does.
+    // The compiler has reported what does not parse. Other mistakes are reported once everything parses.
     let messages = match parsed.as_ref().and_then(|item| item.incomplete.as_ref()) {
         Some(Incomplete::Form(reason)) => syntax::refusal(reason),
         Some(Incomplete::Declarations) | None => diagnostics.to_tokens(),
@@ -169,8 +169,8 @@ fn contacts_stand_alone(item: &Item, model: &Model, diagnostics: &mut Diagnostic
     }
 }
 
-/// Operations of the accelerations before anything is simplified, shared or hoisted, for `COST`. `None` if
-/// they need a mass matrix that is not formed.
+/// Operations of the accelerations before anything is simplified, for `COST`. Those on parameters alone
+/// count, too. `None` if they need a mass matrix that is not formed.
 fn as_derived(model: &mut Model, equations: &Equations, diagnostics: &mut Diagnostics) -> Option<Operations> {
     let facts = Facts::of(model, equations);
     let told = (equations, &facts);

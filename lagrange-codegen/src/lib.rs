@@ -15,7 +15,8 @@
 //! | [`simplify`] | cheaper roots of equal value |
 //! | [`jets`] | which Taylor coefficients follow from which |
 //! | [`orders`] | one order of a series as a [`schedule::Program`] |
-//! | [`schedule`] | graph nodes → a straight-line [`schedule::Program`] |
+//! | [`regimes`] | of a system with contacts, friction or kinks: one smooth system, with its regime as parameters |
+//! | [`schedule`] | graph nodes → a straight-line [`schedule::Program`], and loops of its alike parts |
 //! | `emit` | everything → tokens |
 //!
 //! [`expr`], [`calculus`], `kinematics` and [`number`] are the mathematics underneath; they know no tokens.

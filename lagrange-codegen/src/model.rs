@@ -66,7 +66,7 @@ pub struct Model {
     /// Functions whose zeros are events.
     pub events: Vec<Term>,
     /// Particles and bodies in the order of declaration, as places where constraint forces act; empty without
-    /// constraints.
+    /// constraints and contacts.
     pub places: Vec<Place>,
     /// The levers by which rotations carry places.
     pub levers: Levers,
@@ -95,7 +95,7 @@ impl Model {
     }
 }
 
-/// Local variables of emitted bodies, by coordinate, velocity, input and parameter.
+/// Names of the local variables in emitted bodies, by kind and index.
 #[derive(Clone, Debug, Default)]
 pub struct Locals {
     /// Names of the coordinates.

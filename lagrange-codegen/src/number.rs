@@ -54,7 +54,8 @@ impl Number {
         }
     }
 
-    /// The exact value of a decimal literal such as `6.674_30e-11` (without suffix).
+    /// The value of a decimal literal such as `6.674_30e-11` (without suffix), exact if it fits into a ratio.
+    /// `None` if it cannot be read.
     pub fn parse(literal: &str) -> Option<Number> {
         let text: String = literal.chars().filter(|&c| c != '_').collect();
         let (mantissa, exponent) = match text.split_once(['e', 'E']) {
@@ -144,7 +145,7 @@ impl Number {
         self.exact_sqrt().unwrap_or_else(|| Number::refined(self.value().sqrt(), parts::root(self.parts())))
     }
 
-    /// The square root, if it is rational.
+    /// The square root, if it is rational. That of a ratio of larger squares than 2¹⁰⁶ may not be found.
     pub fn exact_sqrt(self) -> Option<Number> {
         let root = |value: i128| {
             let guess = (value as f64).sqrt().round() as i128;

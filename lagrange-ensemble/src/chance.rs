@@ -13,8 +13,8 @@ use lagrange_runtime::Real;
 /// ```
 ///
 /// The k-th number of a motion is a hash of seed, index and k: the finaliser of SplitMix64 (Steele, Lea and
-/// Flood, *Fast splittable pseudorandom number generators*, 2014), three times. For a k it is another one for
-/// each index. It is no secret.
+/// Flood, *Fast splittable pseudorandom number generators*, 2014), three times. For one k, each index has
+/// another hash. The numbers are not fit for cryptography.
 #[derive(Clone, Copy, Debug)]
 pub struct Chance {
     motion: u64,

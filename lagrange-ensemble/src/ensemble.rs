@@ -156,7 +156,7 @@ impl<F> Ensemble<F> {
     /// runs in other lanes, on threads, parts or ranks. A motion that cannot go on in its lane is computed
     /// alone, from its start, and has the row of that.
     ///
-    /// Systems with functions that hide from Taylor series (exponentials, high negative powers), with an
+    /// Systems with functions that hide from Taylor series (such as exponentials and r⁻⁴), with an
     /// indefinite mass matrix, or with many constraints that are solved by lists of places, cannot be kept
     /// apart in lanes: [`Error::NotInLanes`](crate::Error::NotInLanes). Those with contacts or friction have
     /// no series.

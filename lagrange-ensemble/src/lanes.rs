@@ -243,8 +243,8 @@ where
     V: Vector<Lane = S::Scalar>,
     S::Over<V>: Smooth<N, K>,
 {
-    /// The motion of an index for a lane. `None` if a single motion would not begin, or if there is no time
-    /// to integrate over. The first system is kept as `template`.
+    /// The motion of an index for a lane. `None` if a single motion would not begin, or if its record has no
+    /// last time or one that is not finite. The first system is kept as `template`.
     fn job(&self, index: u64, template: &mut Option<S>) -> Result<Option<Job<S::Scalar, N>>, Failure> {
         let (system, start) = (self.ensemble.start)(index).start()?;
         let end = (0..).map_while(|k| (self.time)(&start, k)).last();

@@ -27,7 +27,8 @@ struct Behind {
     failures: Vec<(u64, Failure)>,
 }
 
-/// Writes a part. The file need not be flushed yet: its end tells what a failure of power takes from it.
+/// Writes a part, and does not flush it to the disk. After a power failure its last bytes tell whether it is
+/// whole.
 pub(crate) fn write(path: &Path, study: &Fingerprint, layout: &Layout, block: Block) -> Result<File, Error> {
     let count = (block.rows.len() / layout.row().max(1)) as u64;
     let Block { number, rows, failures, .. } = block;

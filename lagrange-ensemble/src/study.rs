@@ -93,9 +93,9 @@ impl<F: Row<T>, T: Record> Study<F, T> {
         self
     }
 
-    /// The number of motions of a part. A killed run loses so many in each thread, and a thread keeps so many
-    /// in memory. Choose it so that a part takes between a second and some minutes. Default: a 128th of the
-    /// study, at least 64, in lanes 512, and at most 65 536. Zero counts as one.
+    /// The number of motions of a part. A killed run loses at most so many in each thread, and each thread
+    /// keeps about so many in memory. Choose it so that a part takes between a second and some minutes.
+    /// Default: a 128th of the study, at least 64, in lanes 512, and at most 65 536. Zero counts as one.
     #[must_use]
     pub fn with_part_size(mut self, motions: u64) -> Self {
         self.size = motions.max(1);
@@ -137,7 +137,7 @@ impl<F: Row<T>, T: Record> Study<F, T> {
     ///
     /// # Errors
     /// [`Error::Panicked`] with the index, if a function panics; [`Error::InvalidColumns`],
-    /// [`Error::Threads`].
+    /// [`Error::NotInLanes`], [`Error::Threads`].
     pub fn run(&self) -> Result<Table<T>, Error> {
         let layout = self.layout()?;
         let (parts, pool) = (self.parts(), self.pool()?);

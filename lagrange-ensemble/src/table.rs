@@ -104,7 +104,8 @@ impl<T: Record> Table<T> {
     /// Visits all results in the order of their indices.
     ///
     /// # Errors
-    /// [`Error::Io`] and [`Error::Damaged`] if a part cannot be read.
+    /// [`Error::Io`] and [`Error::Damaged`] if a part cannot be read; [`Error::AnotherStudy`] and
+    /// [`Error::AnotherVersion`] if another one has taken its place.
     pub fn each(&self, mut visit: impl FnMut(u64, Result<T, &Failure>)) -> Result<(), Error> {
         self.rows.each(|block| {
             let mut failures = block.failures.iter().peekable();
@@ -137,8 +138,8 @@ impl<T: Record> Table<T> {
     /// | `.parquet` | the same (feature `parquet`) | `pandas.read_parquet("x.parquet")`, `polars.read_parquet("x.parquet")` |
     ///
     /// # Errors
-    /// [`Error::UnknownFormat`]; [`Error::Io`], and then a file of this name that was there is as it was;
-    /// [`Error::Damaged`] if a part is.
+    /// [`Error::UnknownFormat`]; [`Error::Io`], and then the file that could not be written is as it was
+    /// before; as [`Table::each`].
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), Error> {
         output::write(&self.rows, &self.shape, path.as_ref())
     }

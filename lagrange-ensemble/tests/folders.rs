@@ -148,7 +148,7 @@ fn shares_in_any_order_give_the_same_bytes() {
     let last = (1..=50)
         .rev()
         .filter_map(|k| study(folder.path(), 0).part(k, 50).expect("a share").run().expect("runs"));
-    // The first share is the last one with a part, and later ones have none.
+    // Share 1 runs last and completes the study. Shares 38 to 50 have no part.
     assert_eq!(last.count(), 1);
     for (k, n) in [(0, 3), (4, 3), (1, 0)] {
         let error = study(folder.path(), 0).part(k, n).err().expect("no such share");

@@ -43,7 +43,7 @@ impl FourBar {
     }
 }
 
-/// A ball that falls on a floor, and slides on it until friction has stopped it.
+/// A ball that falls on a floor. Dry friction stops its horizontal motion, in the air too.
 #[derive(Clone, Copy)]
 struct Ball {
     restitution: f64,
@@ -72,7 +72,7 @@ impl Ball {
     }
 }
 
-/// From the middle of the crank's range, with rates of the crank from −6 to 6.
+/// From the middle of the crank's range, with rates of the crank from −6 to 5.5 rad/s.
 fn linkage(index: u64) -> Result<(FourBar, State<f64, 3>), MotionError<f64>> {
     let near = State::new([1.2, 0.35, 1.9], [0.5 * index as f64 - 6.0, 0.0, 0.0]);
     Ok((FourBar, FourBar.consistent(near)?))

@@ -39,8 +39,8 @@ impl Gpu {
     /// The processor with a number, counted from zero.
     ///
     /// # Errors
-    /// [`Error::NoDriver`], [`Error::NoDevice`]; [`Error::WrongVersion`] and [`Error::Driver`] of a driver
-    /// that does not run.
+    /// [`Error::NoDriver`], [`Error::NoDevice`], [`Error::OutOfMemory`]; [`Error::WrongVersion`] and
+    /// [`Error::Driver`] of a driver that does not run.
     pub fn new(number: usize) -> Result<Self, Error> {
         // SAFETY: loading the driver runs its initialisation, as any use of it does.
         #[allow(unsafe_code)]
@@ -127,10 +127,9 @@ struct Launch {
 }
 
 impl Kernels {
-    /// Computes `count` motions, as many at a time as the memory of the processor takes, and returns all
-    /// rows.
+    /// Computes `count` motions in launches that fit into the memory of the processor, and returns all rows.
     ///
-    /// Of each launch one motion is computed here as well: with exact arithmetic its row must have the same
+    /// With exact arithmetic one motion of each launch is computed here as well. Its row must have the same
     /// bits, or the kernel was built from another source.
     ///
     /// # Errors
@@ -227,7 +226,7 @@ impl Kernels {
 }
 
 impl Kernels {
-    /// Registers and stack that a kernel has got from the compiler of the driver.
+    /// The registers and the bytes of stack of a thread of a kernel, as it was compiled or assembled.
     ///
     /// # Errors
     /// [`Error::NoKernel`], [`Error::Driver`].
@@ -241,7 +240,7 @@ impl Kernels {
     }
 }
 
-/// A number of motions of a launch, which is below [`LAUNCH`].
+/// A number of motions of a launch, at most [`LAUNCH`].
 fn index(count: u64) -> usize {
     usize::try_from(count).unwrap_or(usize::MAX)
 }

@@ -50,7 +50,8 @@ impl<S: Words, R: Words, E> Kernel<S, R, E> {
         (self.row)(index, setting)
     }
 
-    /// The words that a processor leaves of a motion: a mark, then those of its row, or zeros.
+    /// The words that a processor leaves of a motion: a mark, then those of its row. Zeros stand here where
+    /// the motion has no row; a processor leaves those words as they were.
     #[cfg(not(target_arch = "nvptx64"))]
     #[doc(hidden)]
     pub fn cells(&self, index: u64, setting: &S) -> Vec<u64> {

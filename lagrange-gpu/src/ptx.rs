@@ -11,7 +11,7 @@ use crate::error::Error;
 pub enum Arithmetic {
     /// Each operation rounds once: rows have the same bits as on a CPU.
     Exact,
-    /// A product and the sum that it is part of round once together: faster, with other last digits.
+    /// A product and the sum that it is part of round once together: mostly faster, with other last digits.
     Fused,
 }
 

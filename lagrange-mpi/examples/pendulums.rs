@@ -1,4 +1,4 @@
-//! A study for `mpirun`: `mpirun -n 4 target/release/examples/pendulums FOLDER [MOTIONS]`.
+//! A study for `mpirun`: `mpirun -n 4 target/release/examples/pendulums FOLDER [MOTIONS] [SECONDS]`.
 
 use std::error::Error;
 use std::path::PathBuf;

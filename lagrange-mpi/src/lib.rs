@@ -17,7 +17,8 @@
 //! * The first rank looks through the folder, writes the manifest and shows the progress of all. Every rank,
 //!   the first one too, takes the next part when it has finished one, and writes its parts itself. Only
 //!   numbers of parts travel between ranks.
-//! * A rank has one thread, because there are as many ranks as cores by custom; `with_threads` gives it more.
+//! * A rank has as many threads as the study says, by default one for each core that it may use. Where there
+//!   is a rank for each core, `with_threads(1)` gives it one.
 //! * The table has the same bytes for any number of ranks, and as `StoredStudy::run` leaves it.
 //! * A rank that dies loses the parts it works on. Open MPI then ends the other ranks, too, which lose
 //!   theirs; with `mpirun --enable-recovery` they need not. What is finished stays in any case, and the same
@@ -116,7 +117,7 @@ where
     T: Record,
 {
     let first = world.rank() == 0;
-    // The manifest and the parts that are there are looked at once.
+    // The first rank alone writes the manifest and looks through the parts. The others wait for its word.
     let opened = if first { Some(study.open()) } else { None };
     let mut opens = opened.as_ref().is_none_or(Result::is_ok);
     world.process_at_rank(0).broadcast_into(&mut opens);

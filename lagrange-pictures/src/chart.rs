@@ -89,7 +89,7 @@ impl Chart {
         self.curve(label, points, colour, Stroke::Linkage)
     }
 
-    /// A thin grey line behind the rest, such as the outline of a sphere.
+    /// A thin grey line, such as the outline of a sphere. Curves that are added after it lie over it.
     #[must_use]
     pub fn guide(self, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         self.curve("", points, GREY, Stroke::Guide)

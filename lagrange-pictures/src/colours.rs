@@ -12,7 +12,7 @@ pub(crate) const COLOURS: [Colour; 7] = [
     Colour(230, 159, 0),
     Colour(90, 90, 90),
 ];
-/// Guides: thin lines behind the curves of a chart.
+/// Guides: thin lines of a chart that are no curves.
 pub(crate) const GREY: Colour = Colour(170, 170, 170);
 /// Lines of the grid.
 pub(crate) const GRID: Colour = Colour(236, 236, 236);

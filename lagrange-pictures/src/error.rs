@@ -23,7 +23,7 @@ pub enum PictureError {
     },
     /// A film was asked of states whose times are not equally far apart.
     UnequalTimes {
-        /// The first time at another distance from the one before \[s].
+        /// The first time that is off the equal spacing between the first and the last \[s].
         at: f64,
     },
     /// The system has no coordinate of this name.
@@ -33,7 +33,7 @@ pub enum PictureError {
         /// The names that there are.
         known: &'static [&'static str],
     },
-    /// Another shape of the film has more points or fewer than in the frame before.
+    /// A shape of the film has more points or fewer than in its first frame.
     ChangingShape {
         /// When \[s].
         at: f64,

@@ -46,7 +46,8 @@ impl Figure {
     /// The picture as the text of an SVG file.
     ///
     /// # Errors
-    /// [`PictureError::Empty`] if a chart has no point, [`PictureError::NotFinite`], [`PictureError::Plot`].
+    /// [`PictureError::Empty`] if there is no chart or one has no point, [`PictureError::NotFinite`],
+    /// [`PictureError::Plot`].
     pub fn svg(&self) -> Result<String, PictureError> {
         let charts = &self.charts;
         charts.iter().try_for_each(Chart::check)?;
@@ -86,7 +87,7 @@ fn refused(error: impl std::fmt::Display) -> PictureError {
 }
 
 impl Chart {
-    /// Refuses a figure that cannot be drawn.
+    /// Refuses a chart that cannot be drawn.
     fn check(&self) -> Result<(), PictureError> {
         let mut points = self.curves.iter().flat_map(|curve| &curve.points);
         if let Some(&(x, _)) = points.clone().find(|(x, y)| !(x.is_finite() && y.is_finite())) {

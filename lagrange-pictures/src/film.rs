@@ -10,8 +10,8 @@ use crate::paper::{self, Kind, Shape, View};
 use crate::place::{Place, Pose, Spot};
 use crate::record::Record;
 
-/// What moves, seen from the front where places are in the plane, or from above one side where they are in
-/// space.
+/// What moves. Places in the plane are seen from the front; places in space are seen from one side and a
+/// little from above, unless [`Film::seen_from`] says otherwise.
 ///
 /// Functions take the system and its coordinates by name, so that those of the description fit:
 /// `record.film().trail(Pendulum::bob)`. A closure that reads a coordinate names the type,

@@ -4,8 +4,8 @@ use crate::colours::{COLOURS, hex};
 use crate::error::PictureError;
 use crate::place::Spot;
 
-/// The largest width and height of the moving part, the smallest of a picture, and the space around the
-/// moving part \[px].
+/// The largest width and height of the moving part, the smallest of the room that it gets, and the space
+/// around that room \[px].
 const LARGEST: [f64; 2] = [640.0, 288.0];
 const SMALLEST: f64 = 64.0;
 const MARGIN: f64 = 16.0;
@@ -17,7 +17,7 @@ const ARROW: f64 = 60.0;
 const HEAD: f64 = 8.0;
 /// Frames a second. The viewer interpolates between them.
 const RATE: f64 = 25.0;
-/// The share of the time in which a motion that does not close fades out and begins again.
+/// The share of the time in which a film fades out at its end. It fades in at its beginning in half of that.
 const FADE: f64 = 0.04;
 /// The colour of rods, outlines and everything that stands still.
 const DARK: &str = "#5a5a5a";
@@ -53,8 +53,8 @@ impl Default for View {
     }
 }
 
-/// Coordinates to the right and up in the picture: first in the units of the system, then in pixels from its
-/// corner.
+/// A point of the picture: in the units of the system, to the right and up; or in pixels, to the right and
+/// down from the upper left corner.
 type Point = [f64; 2];
 
 impl View {
@@ -198,7 +198,7 @@ pub(crate) fn drawn(
                 format!("<polyline points=\"{line}\" stroke=\"{DARK}\" stroke-width=\"1.5\"/>\n")
             }
             Kind::Trail => {
-                // Trails are twice as fine as the frames.
+                // Trails are up to twice as fine as the frames.
                 let fine = Reel { stride: reel.stride.div_ceil(2), ..reel };
                 let path: Vec<Point> = fine.frames(&shape.frames).flat_map(pixels).collect();
                 trail(&path, &colour(), reel.duration)

@@ -63,7 +63,7 @@ fn a_record_has_the_states_at_both_ends() -> Result<(), Box<dyn Error>> {
 
 #[test]
 fn inputs_are_those_of_each_state() -> Result<(), Box<dyn Error>> {
-    /// A mass on a rail that a motor holds back: the constraint carries what the input pushes.
+    /// A mass on a rail, which the input pushes across the rail. The constraint bears the push.
     struct Held;
 
     #[lagrangian(coordinates = [x, y], inputs = [push])]
@@ -87,7 +87,7 @@ fn inputs_are_those_of_each_state() -> Result<(), Box<dyn Error>> {
     let start = State::new([0.0, 0.0], [1.0, 0.0]);
     let mut motion = Held.simulate(start).with_control(|state: &State<f64, 2>| [-5.0 * state.q[0]]);
     let svg = Record::of(&mut motion, 2.0, 50)?.reactions().svg()?;
-    // The multiplier 5 x is as long as the time, so ticks go up to ten.
+    // The mass moves at 1 m/s, so the multiplier 5 x ends at 10 after 2 s, and so do the ticks.
     assert!(svg.contains(">\n10\n<") && !svg.contains(">\n11\n<"), "{svg}");
     Ok(())
 }

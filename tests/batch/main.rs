@@ -59,7 +59,7 @@ impl<R: Real> Planet<R> {
     }
 }
 
-/// A pendulum on a rod whose pivot slides down a wire: two masses in three Cartesian coordinates each, three
+/// A pendulum on a rod whose pivot slides down a wire: five Cartesian coordinates of two masses, and two
 /// constraints.
 struct Slider<R> {
     length: R,
@@ -219,7 +219,7 @@ fn bad_arguments_are_errors() {
     assert_eq!(cause(&mut batch, 1.0), Err(Cause::NotFinite));
 }
 
-/// Hanging at an angle in a vertical plane that differs from lane to lane, the pivot at rest.
+/// A swing through an angle in one vertical plane, the pivot at rest. Lanes differ in length and angle.
 fn hanging(length: f64, angle: f64) -> State<f64, 5> {
     let (sin, cos) = angle.sin_cos();
     let rate = 0.3;

@@ -231,7 +231,8 @@ fn measure(case: &Case, mut peer: Option<&mut Peer>, extent: Extent, records: &m
     }
 }
 
-/// The time of a motion on two threads relative to one: processor time, and time on the clock.
+/// Two threads against one: the ratio of their processor times, and how many times as fast two are by the
+/// clock.
 fn on_threads(case: &Case, subject: &str, extent: Extent) -> Option<[f64; 2]> {
     let mut best = [[f64::INFINITY; 2]; 2];
     for _ in 0..4 * extent.rounds {

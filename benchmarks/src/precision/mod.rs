@@ -1,6 +1,6 @@
 //! Time of a whole integration against the error at its end.
 //!
-//! All subjects of a system and a tolerance run in turn, several rounds of a few milliseconds each, on one
+//! All subjects of a system and a tolerance run in turn, several rounds of some milliseconds each, on one
 //! core, so that other processes disturb them alike. The time is the median over the rounds of the fastest
 //! run in a round: other processes only ever add to a run.
 

@@ -91,7 +91,7 @@ impl Extent {
     }
 }
 
-/// A description with the reference that it is compared with.
+/// A quantity that is evaluated, with the names of our subject and of those of Pinocchio.
 struct Task {
     /// The word of requests.
     what: &'static str,

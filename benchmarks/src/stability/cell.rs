@@ -42,7 +42,8 @@ pub struct Cell {
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
-    /// It ended with an error, the exponent with which the error of the energy grew, and a cost.
+    /// It ended with an error, the error that is allowed, the exponent with which the error of the energy
+    /// grew, and a cost.
     Done { error: f64, allowed: Option<f64>, drift: Option<f64>, us: f64, steps: u64 },
     /// It stopped with a typed error, at a time [s].
     Failed { cause: String, t: f64 },

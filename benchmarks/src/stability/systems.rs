@@ -23,7 +23,7 @@ impl Relaxing {
     }
 }
 
-/// A unit mass that swings on a spring so stiff that its oscillation is thousands of times as fast as the
+/// A unit mass that swings on a spring so stiff that its oscillation is hundreds of times as fast as the
 /// swing.
 #[derive(Clone, Copy, Debug)]
 pub struct StiffSpring {

@@ -113,7 +113,7 @@ fn stiff_spring() -> Vec<Cell> {
         energy: Some(unit),
         measure: vec![Measure::Energy],
         condition: 1.0,
-        // The energy of the spring moves by k Δr for Δr = ε.
+        // The energy of the spring moves by k s Δr, with the stretch s = 1e-3 and Δr = ε.
         noise: 1e6 * f64::EPSILON * 1e-3,
         tolerances: DOUBLE,
         limited: false,

@@ -10,7 +10,7 @@ use super::number::Number;
 const MASS: f64 = 10.0 * 1e-2 * 1e-2 / 2.0;
 const FREE_LENGTH: f64 = 0.5;
 
-/// Angle of the axle: cosine and sine, with their derivatives.
+/// The axle: cosine and sine of its angle, and the angle's first and second derivative.
 struct Axle {
     unit: [f64; 2],
     rate: f64,

@@ -82,7 +82,8 @@ pub fn metadata(manifest: Option<&Path>) -> Result<Metadata, String> {
     command.no_deps().exec().map_err(|error| format!("error: {}", error.to_string().trim()))
 }
 
-/// The package of this name, or that whose folder the current folder is in.
+/// The package of this name. Without a name, the one whose folder the current folder is in, or else the only
+/// one of the workspace.
 pub fn package<'a>(metadata: &'a Metadata, name: Option<&str>) -> Result<&'a Package, String> {
     let members = metadata.workspace_packages();
     if let Some(name) = name {

@@ -12,7 +12,7 @@ const KEYWORDS: [&str; 52] = [
     "virtual", "where", "while", "yield",
 ];
 
-/// Types and constants that a description names.
+/// Types and traits that a description names.
 const TYPES: [&str; 14] = [
     "Coordinates",
     "Velocities",

@@ -30,12 +30,12 @@ pub struct Link {
     pub doubtful: Option<Doubtful>,
 }
 
-/// An inertia that is not positive definite.
+/// An inertia that has a negative principal moment.
 #[derive(Clone, Debug)]
 pub struct Doubtful {
     /// Where it stands.
     pub mark: Mark,
-    /// A principal moment of it, which is negative.
+    /// The least principal moment.
     pub moment: f64,
 }
 
@@ -56,7 +56,7 @@ pub struct Joint {
     pub back: Vector,
     /// The kind of its motion.
     pub kind: Kind,
-    /// The forces and inertias in it, for joints with one coordinate.
+    /// The forces and inertias in it.
     pub action: Action,
     /// The joint that it follows.
     pub mimic: Option<Mimic>,
@@ -81,7 +81,7 @@ pub enum Kind {
     Free,
 }
 
-/// The forces and inertias in a joint of one coordinate.
+/// The forces and inertias in a joint. Joints of several coordinates have damping and armature alone.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Action {
     /// Viscous damping [N·m·s/rad or N·s/m].

@@ -92,7 +92,7 @@ impl Expansion {
         (!file.items.is_empty()).then(|| prettyplease::unparse(&file))
     }
 
-    /// The names of all generated functions, sorted.
+    /// The names of all generated functions, sorted, without those that begin with `__`.
     #[must_use]
     pub fn methods(&self) -> Vec<String> {
         let mut blocks = Blocks::default();

@@ -30,7 +30,8 @@ impl fmt::Display for Unread {
     }
 }
 
-/// The models in the module tree of `root`, the main file of a target, in the order of the source.
+/// The models in the module tree of `root`, the main file of a target. Those of a file come in the order of
+/// the source, before those of the files of its modules.
 ///
 /// # Errors
 ///

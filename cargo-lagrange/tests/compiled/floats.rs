@@ -84,7 +84,7 @@ fn a_pose_moves_as_angles_do() -> Result<(), Box<dyn std::error::Error>> {
         close(&found[..8], &expected[..8], 1e-12);
         let found = change(&by_pose, &found, |state| pose.velocities(state).drone.angular);
         let expected = change(&by_angles, &expected, of_angles);
-        // Differences of the largest velocities, 4, by a thousandth.
+        // The truncation error of the differences is about the fourth power of their step, a thousandth.
         close(found.as_slice(), expected.as_slice(), 1e-8);
     }
     Ok(())

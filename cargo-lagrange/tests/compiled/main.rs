@@ -260,7 +260,7 @@ fn frames_are_those_of_urdf() {
     let pose = |shift: Vector3<f64>, turn: Rotation3<f64>| IsometryMatrix3::from_parts(shift.into(), turn);
     let still = Rotation3::identity();
     let base = pose(z, still);
-    // The file has seven digits of this angle.
+    // The file has seven decimals of this angle.
     let yaw = "-1.5707963".parse().expect("it is a number");
     let bent = about(z, yaw) * about(x, std::f64::consts::FRAC_PI_2);
     let slider = base * pose(0.1 * x, bent) * pose(-at.slide_joint * y, still);

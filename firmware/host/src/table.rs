@@ -135,7 +135,8 @@ impl<'a> Measurements<'a> {
     }
 }
 
-/// Errors after one second by steps of several lengths; those of the jets also as a share of those of RK4.
+/// Errors after one second by steps of several lengths; those of the jet of order 6 also as a share of those
+/// of RK4.
 pub fn errors() -> Result<String, Box<dyn Error>> {
     let mut text = String::from(
         "| system | scalar | h [s] | rk4 | jet4 | jet6 | jet6 / rk4 |\n| --- | --- | --- | --- | --- | --- | --- |\n",

@@ -4,7 +4,7 @@ use lagrangian::prelude::*;
 
 use crate::{Experiment, G};
 
-/// A mass that moves upright and along a floor.
+/// A mass that moves up and down and along a floor.
 #[derive(Clone, Copy, Debug)]
 pub struct Puck<R> {
     /// Mass \[kg].

@@ -18,7 +18,7 @@ pub struct CartPole {
     pub damping: f64,
     /// A force on the cart beside the motor's \[N].
     pub push: f64,
-    /// Whether the motor is on, from 0 to 1.
+    /// The share of the regulator's force that the motor gives: 0 is off, 1 is on.
     pub motor_on: f64,
     /// Gravitational acceleration \[m/s²].
     pub g: f64,

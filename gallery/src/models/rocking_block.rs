@@ -4,7 +4,7 @@ use lagrangian::prelude::*;
 
 use crate::{Model, Point, Scene, Slider, follow};
 
-/// A uniform block on a floor so rough that its corners do not slip.
+/// A uniform block on a rough floor.
 #[derive(Clone, Copy, Debug)]
 pub struct Block {
     /// Mass \[kg].

@@ -11,11 +11,11 @@ pub enum Degrees {
     Other,
 }
 
-/// Bits of the degrees that are told apart.
+/// The number of degrees that are told apart, from 0 on.
 const BITS: u32 = 31;
 
 impl Degrees {
-    /// Whether all parts have one degree.
+    /// Whether there are parts of this degree and of no other. Zero has no parts.
     pub fn is_homogeneous(self, degree: u32) -> bool {
         self == Degrees::Polynomial(1 << degree)
     }
@@ -61,7 +61,7 @@ pub fn velocity_degrees_of(graph: &Graph, roots: &[NodeId]) -> Vec<Degrees> {
     roots.iter().map(|root| degrees[root.index()]).collect()
 }
 
-/// The nodes below the root, ascending, that are not polynomials of at most the given degree.
+/// The nodes of an expression, ascending, that are not polynomials of at most the given degree.
 pub fn beyond_degree(graph: &Graph, root: NodeId, limit: u32) -> Vec<NodeId> {
     let mut degrees = vec![Degrees::Polynomial(0); graph.len()];
     let mut beyond = Vec::new();

@@ -23,8 +23,8 @@ pub fn pushforward(graph: &mut Graph, roots: &[NodeId], seeds: &[(NodeId, NodeId
     roots.iter().map(|root| rates[root.index()].unwrap_or(zero)).collect()
 }
 
-/// How many operations a sweep for each of some variables takes: one for each variable that an operand
-/// depends on.
+/// How many operations a sweep for each of some variables takes: one for each operand of a node and each of
+/// the variables that it depends on.
 pub fn forward_operations(graph: &Graph, roots: &[NodeId], variables: &[NodeId]) -> usize {
     let words = variables.len().div_ceil(64);
     let mut sets: Vec<Vec<u64>> = vec![Vec::new(); graph.len()];

@@ -13,7 +13,7 @@ pub fn pullback(graph: &mut Graph, seeds: &[(NodeId, NodeId)], wrt: &[NodeId]) -
 }
 
 /// The same as a function of the nodes of `held` and of those of `wrt`: what passes through the former counts
-/// there alone. A node that `held` has more than once counts the first time.
+/// there alone. A node that `held` has more than once counts the first time, and a variable never.
 pub fn pullback_to(
     graph: &mut Graph,
     seeds: &[(NodeId, NodeId)],
@@ -25,7 +25,7 @@ pub fn pullback_to(
     for &variable in wrt {
         active[variable.index()] = true;
     }
-    // A variable is no function of another.
+    // Nothing passes through a variable on the way to another, so it belongs to `wrt` alone.
     let mut ends = vec![false; size];
     for &node in held.iter().filter(|node| !matches!(graph.node(**node), Node::Variable(_))) {
         ends[node.index()] = true;

@@ -1,4 +1,4 @@
-//! Every operator in both directions against differences.
+//! Every operator but the pivot, in both directions, against differences.
 
 use super::*;
 use crate::expr::{Exponent, Graph, NodeId, Unary, Variable};

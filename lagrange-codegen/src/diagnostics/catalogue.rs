@@ -1,7 +1,8 @@
-//! The texts of all messages: what is wrong, then how to mend it.
+//! The texts of messages about descriptions: what is wrong, then how to mend it. [`physics`](super::physics)
+//! has those about the physics.
 //!
-//! Each entry is a function that fills its names in. What stands after `;` is a name that the
-//! user may have meant, or nothing.
+//! Each entry is a function that fills its names in. What stands after `;` among its arguments is a name
+//! that the user may have meant, or nothing.
 
 use std::fmt::Display;
 

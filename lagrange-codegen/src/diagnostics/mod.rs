@@ -1,7 +1,7 @@
-//! The error sink: every stage reports into it, all mistakes are shown at once.
+//! The error sink: stages report into it, and all mistakes that one of them finds are shown at once.
 //!
 //! The stages that know no tokens speak of an [`Origin`], a handle to a span of the
-//! user's source. Message texts stand in [`catalogue`].
+//! user's source. Message texts stand in [`catalogue`] and [`physics`].
 
 pub mod catalogue;
 pub mod physics;
@@ -43,7 +43,7 @@ impl Diagnostics {
     }
 
     /// Reports a mistake at a span: one for each span, however often a helper
-    /// function is inlined or a loop unrolled.
+    /// function is inlined or a loop unrolled. The call site may have several.
     pub fn error(&mut self, span: Span, message: impl Into<String>) {
         let message = message.into();
         let same_place = |other: Span| format!("{span:?}") == format!("{other:?}");

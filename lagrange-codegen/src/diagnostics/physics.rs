@@ -1,6 +1,6 @@
 //! The texts of messages about the physics: what is wrong, then how to mend it.
 
-/// A kinetic energy that is not a polynomial of degree two in the velocities.
+/// A kinetic energy that is not a polynomial of at most degree two in the velocities.
 pub fn kinetic_not_quadratic(function: &str) -> String {
     format!(
         "the kinetic energy `{function}` is not at most quadratic in the velocities here; \
@@ -8,7 +8,7 @@ pub fn kinetic_not_quadratic(function: &str) -> String {
     )
 }
 
-/// Derivatives or analyses of a system with contacts.
+/// An argument that contacts and dry friction exclude: `analysis`, `verify` or `baumgarte`.
 pub fn beside_contacts(argument: &str) -> String {
     format!(
         "`{argument}` needs equations without contacts and dry friction; leave it out here, and analyse a \
@@ -45,7 +45,7 @@ pub fn fixed_in_space(kind: &str, function: &str, eliminated: bool) -> String {
     )
 }
 
-/// A particle of mass zero.
+/// A particle of mass zero, or a body without mass and inertia.
 pub fn zero_mass(function: &str) -> String {
     format!(
         "the mass of `{function}` is zero; remove its role if it only names a place (a helper function needs none)"
@@ -74,7 +74,7 @@ pub fn structurally_singular(coordinate: &str) -> String {
     )
 }
 
-/// A constraint in which the coordinate to be eliminated is not linear.
+/// A constraint in which the coordinate to be eliminated is not linear with a constant coefficient.
 pub fn not_solvable(constraint: &str, coordinate: &str) -> String {
     format!(
         "`{constraint}` cannot be solved for `{coordinate}`, whose coefficient is not the same all through a run; \

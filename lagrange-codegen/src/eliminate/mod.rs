@@ -122,7 +122,7 @@ fn solve(
     Ok(Solved { coordinate, position: graph.neg(quotient) })
 }
 
-/// The nodes below a root, ascending, that are not affine in a variable with a coefficient of parameters
+/// The nodes of an expression, ascending, that are not affine in a variable with a coefficient of parameters
 /// alone.
 fn not_affine(graph: &Graph, root: NodeId, variable: NodeId) -> Vec<NodeId> {
     let mut moves = vec![false; graph.len()];

@@ -30,7 +30,8 @@ pub(crate) fn rewrite(model: &mut Model, replacements: &[(NodeId, NodeId)]) {
     });
 }
 
-/// Calls a function with every quantity that may depend on coordinates.
+/// Calls a function with every quantity that may depend on coordinates. What contacts are written through
+/// serves lowering alone and stays.
 fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
     // The fields are listed, so that a new field of the model does not compile until it is handled here.
     let Model {

@@ -172,7 +172,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Gives each of these results a name, unless its text is but a name.
+    /// Gives each of these results a name, unless it is a variable or a constant.
     pub fn bind_always(&mut self, slots: &[Slot]) {
         slots.iter().for_each(|slot| self.is_bound[slot.index()] = true);
     }

@@ -17,8 +17,8 @@ pub(super) enum Source {
     State,
     /// References `q`, `v`, `u` and the value `t`.
     Slices,
-    /// `q`, `v`, `u` and `t` of numbers of another kind. `__number` makes parameters of those of
-    /// `__in_regime`.
+    /// `q`, `v`, `u` and `t` of numbers of another kind. `__number` turns the parameters in `__in_regime`
+    /// into such numbers.
     Numbers,
 }
 

@@ -21,7 +21,7 @@ pub(super) fn any(own: &Scalar) -> Scalar {
 }
 
 /// A struct of numbers for all parameters, with the implementations of the system. `constrained` gives the
-/// items of `Constrained`, `None` if the system does not implement it.
+/// items of `Constrained`, an empty text if the system does not implement it.
 pub(super) fn companion(
     emission: &mut Emission<'_>,
     name: &str,

@@ -11,8 +11,8 @@ use crate::model::ConstraintKind;
 use crate::schedule::plan;
 use crate::simplify::simplify;
 
-/// The most rows of a matrix that is filled in line. Larger ones are filled row by row, each by a function of
-/// its own.
+/// The most columns of a matrix that is filled in line. Matrices with more are filled row by row, each row by
+/// a function of its own.
 const OUTLINED: usize = 32;
 
 /// The items of the traits as text.

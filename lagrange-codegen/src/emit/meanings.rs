@@ -11,9 +11,9 @@ use crate::syntax::{Group, Item};
 /// A function that is never called and compiles only if names mean what the macro assumes. A difference is
 /// reported where the user wrote the name.
 pub(super) fn meanings(item: &Item, model: &Model, diagnostics: &Diagnostics) -> TokenStream {
-    // A local variable of generated code may not have the name of a constant or of a unit struct. Those are
     // `name @ _` does not compile if a constant or a unit struct has the name, which a local variable of
-    // generated code may not have. A name with capitals is written otherwise there.
+    // generated code may not have. Names with capitals are not checked: one that is all capitals is written
+    // small there.
     let small = |group: &&Group| !group.name().contains(char::is_uppercase);
     let groups = item.coordinates.iter().chain(&item.inputs).filter(small);
     let declared = groups.map(|Group { ident, .. }| quote!(let #ident @ _ = ();));

@@ -17,7 +17,7 @@ pub(super) fn method(doc: &str, signature: &str, body: &str) -> String {
     format!("#[doc = {doc:?}]\n#[inline]\npub fn {signature} {{\n{body}\n}}\n")
 }
 
-/// All inherent methods, and the vectors of the equations.
+/// The inherent methods that need no constraints and no `analysis`, and the vectors of the equations.
 pub(super) fn methods(emission: &mut Emission<'_>) -> (String, Sides) {
     let mut text = accelerations(emission);
     text.push_str(&mass_matrix(emission));
@@ -70,7 +70,7 @@ pub(super) fn methods(emission: &mut Emission<'_>) -> (String, Sides) {
     (text, sides)
 }
 
-/// The parameters after `&self`, with the inputs if the nodes need them.
+/// The parameters of a method on a state, with the inputs if the nodes need them.
 pub(super) fn arguments(emission: &Emission<'_>, nodes: &[NodeId]) -> String {
     let graph = &emission.model.graph;
     let uses = |kind| nodes.iter().any(|&node| graph.dependence(node).meets(kind));

@@ -9,7 +9,7 @@ use crate::schedule::{Instruction, Program, Slot};
 /// The most characters of a name that describes an expression. Longer ones are numbered instead.
 const LONGEST: usize = 26;
 
-/// The most characters that may be added to say what is meant of the described expression.
+/// The most characters of a suffix of such a name, as in `theta_partial`.
 const SUFFIX: usize = 16;
 
 /// Names that generated bodies use otherwise.
@@ -62,7 +62,8 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// Names that are free but for those of all variables and the reserved ones.
+    /// All names are free but the reserved ones and those of coordinates, velocities, accelerations, inputs,
+    /// parameters and multipliers.
     pub fn new(model: &Model) -> Names {
         let mut names = Names { taken: RESERVED.iter().map(|&name| name.to_owned()).collect(), anonymous: 0 };
         let Locals { coordinates, velocities, accelerations, inputs, parameters, multipliers, .. } =
@@ -164,7 +165,7 @@ pub(super) fn variable_label(model: &Model, variable: Variable) -> String {
     }
 }
 
-/// A name that tells what an instruction computes; `None` if it would be too long.
+/// A name that tells what an instruction computes; `None` if there is none or it would be too long.
 pub(super) fn describe(model: &Model, program: &Program, slot: Slot, depth: u32) -> Option<String> {
     // A sine or cosine is named by its angle.
     let is_trigonometric = matches!(program.instruction(slot), Instruction::Unary(Unary::Sin | Unary::Cos, a) if program.instruction(a).is_leaf());

@@ -8,7 +8,7 @@ use super::Emission;
 use crate::syntax::item::Kind;
 use crate::syntax::{Group, Item, Record};
 
-/// Builds a state from named quantities.
+/// The method that builds a state from named quantities.
 pub(crate) const METHOD: &str = "state";
 
 /// One element of a group: its numbers in a state, and the Rust text of its field.

@@ -20,7 +20,7 @@ use crate::syntax::Scalar;
 /// The name of the struct of one regime, which no user writes.
 const NAME: &str = "__InRegime";
 
-/// The type parameter of `functions_in`, a name that no user's generics have.
+/// The type parameter of `functions_in` and `backward_in`, a name that no user's generics have.
 const NUMBER: &str = "__Number";
 
 /// The emitted items.
@@ -135,7 +135,8 @@ pub(super) fn system(emission: &Emission<'_>, switching: &Regimes, constants: &s
     )
 }
 
-/// `InRegime`, `ROWS` and `in_regime`.
+/// `InRegime`, `ROWS` and `in_regime`, and where they differ from their defaults `POISSON`, `KINKS` and
+/// `AUTONOMOUS`.
 fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
     let scalar = &emission.scalar;
     let (rows, kinks) = (switching.rows(), switching.kinks.len());

@@ -229,7 +229,7 @@ fn over_any(name: &Ident, count: usize, inputs: usize) -> TokenStream {
     }
 }
 
-/// Removes groups whose names cannot be fields of a struct.
+/// Removes groups whose names cannot be fields of a struct, or are those of earlier groups.
 fn keep_fields(groups: &mut Vec<Group>) {
     let mut names: Vec<String> = Vec::new();
     groups.retain(|group| {

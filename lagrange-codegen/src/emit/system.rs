@@ -1,4 +1,4 @@
-//! The implementation of the runtime's `System`, on which the integrators call.
+//! The implementation of the runtime's `System`, which the integrators call.
 
 use super::Emission;
 use super::block::{self, Evaluation, Known, Loops, Values};
@@ -82,8 +82,8 @@ pub(super) fn system(emission: &mut Emission<'_>) -> (String, Evaluation) {
     (text, Evaluation { operations: program.operations(false), loops })
 }
 
-/// Names of the values that are computed once per run, and the type and body of the constants: an array of
-/// scalars, then the factorisations of constant blocks.
+/// The type of the constants and the body that computes them: an array of scalars, then the factorisations of
+/// constant blocks.
 fn constants(
     emission: &Emission<'_>,
     program: &Program,

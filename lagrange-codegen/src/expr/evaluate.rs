@@ -1,4 +1,4 @@
-//! The reference interpreter, against which emitted programs are checked.
+//! Values of nodes in doubles: for decisions at sample points, and for tests of emitted programs.
 
 use super::graph::{Graph, Node, NodeId, Variable};
 use super::op::Unary;

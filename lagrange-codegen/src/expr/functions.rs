@@ -62,7 +62,7 @@ impl Graph {
         self.chosen_by_order(a, b, [b, a])
     }
 
-    /// A number between two bounds; the upper one where they contradict each other.
+    /// A number between two bounds, of which the first is not above the second: Rust panics for others.
     pub fn clamp(&mut self, value: NodeId, [low, high]: [NodeId; 2]) -> NodeId {
         let at_least = self.chosen_by_order(value, low, [value, low]);
         self.chosen_by_order(high, value, [at_least, high])
@@ -91,7 +91,8 @@ impl Graph {
         }
     }
 
-    /// A pivot that is NaN unless it stands above the rounding errors of `scale`.
+    /// A pivot that is NaN unless it stands above the rounding errors of `scale`. A constant that
+    /// is not negative stays as it is: it has none.
     pub fn pivot(&mut self, value: NodeId, scale: NodeId) -> NodeId {
         match self.as_constant(value) {
             Some(number) if !number.is_negative() => value,
@@ -99,9 +100,9 @@ impl Graph {
         }
     }
 
-    /// `base` to any power, as a product if the exponent is a constant half-integer.
+    /// `base` to any power, as a product if the exponent is a constant half-integer up to 32.
     pub fn powf(&mut self, base: NodeId, exponent: NodeId) -> NodeId {
-        /// The largest power that is a product. For larger ones the library's function is cheaper.
+        /// The largest power that is a product, in halves. For larger ones the library's function is cheaper.
         const LARGEST: i128 = 64;
         if let Some(value) = self.as_constant(exponent) {
             let halves = (value * Number::integer(2)).as_integer();

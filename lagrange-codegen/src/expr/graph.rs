@@ -88,7 +88,7 @@ pub struct Dependence(u8);
 impl Dependence {
     /// Nothing: a constant.
     pub const NONE: Dependence = Dependence(0);
-    /// Generalized coordinates.
+    /// Generalized coordinates, and what is made of them: auxiliaries, entries of orientations, positions.
     pub const COORDINATES: Dependence = Dependence(1);
     /// Generalized velocities.
     pub const VELOCITIES: Dependence = Dependence(2);
@@ -128,7 +128,8 @@ pub struct Graph {
     marks: RefCell<Marks>,
 }
 
-/// The most nodes from the first to the last of a set, per node of the set, at which they are close together.
+/// A set of nodes is close together if there are at most this many nodes for each of its own from its first
+/// to its last.
 const CLOSE: usize = 4;
 
 /// Which nodes the current walk has seen: a mark is valid for one walk only, so that a walk

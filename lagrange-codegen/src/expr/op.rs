@@ -1,8 +1,8 @@
 //! The operator list: every elementary function of the language, once.
 //!
 //! Sums and products are node kinds of their own; what stands here is opaque to the algebra.
-//! A new function needs a line in each `match` below and in the derivative, the emitter and the
-//! printer, none of which has a default arm.
+//! A new function needs a line in each `match` below and in those of derivatives, formulas, sides of
+//! kinks, guards and steep functions. None of these has a default arm, so the compiler names them.
 
 /// A function of one argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -60,7 +60,7 @@ pub enum Unary {
 pub enum Binary {
     /// The angle of the point (x, y), called as `y.atan2(x)`.
     Atan2,
-    /// A power with an exponent that is not a half-integer constant.
+    /// A power that is no product: its exponent is not a constant, not a half-integer, or above 32 in size.
     Powf,
     /// A power times the logarithm of its base, xʸ ln x: the derivative of a power by its exponent, with its
     /// limit where the power is zero.

@@ -1,8 +1,8 @@
 //! Products: flat lists of factors with whole or half exponents.
 //!
 //! Flattening is harmless (relative errors of products add up in any order) and lets equal
-//! factors meet: `r³ = s^(3/2)` for `r = √s`, `x/x = 1`. Numeric coefficients never stand in a
-//! product; they move to the sum that holds it, so `2x` and `3x` share `x`.
+//! factors meet: `r³ = s^(3/2)` for `r = √s`, `x/x = 1`. Of numbers only irrational roots such as `√2` stand
+//! in a product. Others move to the sum that holds it, so `2x` and `3x` share `x`.
 
 use super::graph::{Exponent, Graph, Node, NodeId};
 use super::op::Unary;

@@ -185,8 +185,8 @@ impl Graph {
             factors.push((inner, Exponent(2)));
             return self.product(&factors);
         }
-        // Equal magnitudes and a positive leading sign, so that a − b and b − a, and any
-        // multiple of them, share one node.
+        // The leading sign becomes positive, and coefficients of one magnitude become ±1. So a − b, b − a and
+        // any multiple of them share one node.
         let leading = if combination.offset.is_zero() { combination.terms[0].1 } else { combination.offset };
         let magnitude = leading.abs();
         let uniform = combination.terms.iter().all(|&(_, c)| c.abs() == magnitude);

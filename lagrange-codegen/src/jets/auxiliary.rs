@@ -64,7 +64,7 @@ pub enum Relation<T> {
 /// Rewrites roots as polynomials.
 pub(super) struct Rewriter<'g> {
     pub graph: &'g mut Graph,
-    /// The direction (v, 0, 1) of (q, v, t).
+    /// The direction (v, 0, 1) of (q, v, t), with R \[ω]ₓ for the matrices R of orientations.
     direction: Vec<(NodeId, NodeId)>,
     switches: &'g [Switch],
     /// The rate of each variable.

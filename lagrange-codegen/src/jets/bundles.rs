@@ -3,7 +3,8 @@
 //! Convolutions that share factors form a connected part. The parts of a system, such as the links of a chain
 //! or the pairs of bodies, often have the same pattern, and are instances of it. A bundle is made of these:
 //! its factors are columns with one entry for each instance, and a vector of a column is loaded once for all
-//! convolutions of the pattern. The convolutions of parts without a like are instances of the pattern a · b.
+//! convolutions of the pattern. Where this would take more loads, and in parts too large to compare,
+//! convolutions are instances of the pattern a · b.
 
 use super::recurrence::{Convolution, Operand};
 use crate::collections::Lookup;
@@ -130,6 +131,7 @@ fn connected(convolutions: &[Convolution]) -> Vec<Vec<usize>> {
 
 /// The canonical form of a part: its factors in an order that isomorphic parts share. Factors are sorted by
 /// what distinguishes them. Where nothing does, the first one in the order of the convolutions comes first.
+/// `None` if there are more than [`LARGEST`] factors.
 fn canonical(convolutions: &[Convolution], part: &[usize]) -> Option<Part> {
     let mut factors: Vec<Operand> = Vec::new();
     let mut ends: Vec<(usize, usize)> = Vec::with_capacity(part.len());

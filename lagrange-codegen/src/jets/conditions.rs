@@ -21,7 +21,8 @@ pub(super) struct Restrictions {
 }
 
 impl Restrictions {
-    /// Removes the denominators of the rates, unless the rates are given values other than zero.
+    /// Removes the denominators of the rates, unless some rows hold at times only or the rates are given
+    /// values other than zero.
     pub fn of(graph: &mut Graph, conditions: &Conditions, coordinates: usize) -> Restrictions {
         let plain = Restrictions {
             rates: conditions.rates.clone(),
@@ -52,8 +53,8 @@ impl Restrictions {
         Restrictions { rates, gradients, reactions }
     }
 
-    /// Sets the rates of rows of sums: the sum of other multipliers, less the row's own. Their coefficients
-    /// follow as those of rates do.
+    /// Sets the rates of rows of sums: the sum of other multipliers times their factors, less the row's own
+    /// multiplier. The coefficients of such a sum follow as those of other rates do.
     fn with_sums(mut self, graph: &mut Graph, switched: &Switched) -> Restrictions {
         for (row, terms) in switched.sums() {
             let mut multiplier = |row: usize| graph.variable(Variable::Multiplier(row as u32));
@@ -69,7 +70,8 @@ impl Restrictions {
     }
 }
 
-/// A product without its denominators. They are not zero anywhere that the product has a value.
+/// A product without its denominators that do not depend on velocities. They are not zero anywhere that the
+/// product has a value.
 fn numerator(graph: &mut Graph, rate: NodeId) -> NodeId {
     let (coefficient, product) = graph.scaled(rate);
     let denominators: Vec<_> = graph

@@ -18,7 +18,7 @@
 //! Where a momentum is Σ a b and the force has all terms of Σ a′ b, as with points at given positions, d/dt s
 //! = f − Σ a′ b with s′ = Σ a b′ has fewer products (`parts`).
 //!
-//! No Coriolis term and no inverse is ever formed. `auxiliary` makes p and f polynomial,
+//! The recurrences have no Coriolis terms and no inverse of M. `auxiliary` makes p and f polynomial,
 //! `recurrence` sorts the operations of the polynomial by when their coefficients of one order are known.
 //! Pryce and Nedialkov (*Solving differential-algebraic equations by Taylor series*, BIT 2005) have the
 //! mathematics.
@@ -138,8 +138,8 @@ struct Proposal {
     meeting: bool,
 }
 
-/// The recurrences of d/dt p = f for the roots p, f, and of a constrained system Aᵀμ, w and dw/dt; `None` if
-/// there is nothing to integrate by parts.
+/// The recurrences of d/dt p = f. The roots are p, f, of a constrained system Aᵀμ, w and, with stabilisation,
+/// dw/dt, and the functions that are followed. `None` if there is nothing to integrate by parts.
 fn recurrences(
     graph: &mut Graph,
     counts: Counts,

@@ -231,7 +231,7 @@ mod tests {
         let (flow_of_sine, product) = (graph.mul(v, cosine), graph.mul(v, sine));
         let flow_of_cosine = graph.neg(product);
         let auxiliaries = [flow(&mut graph, sine, flow_of_sine), flow(&mut graph, cosine, flow_of_cosine)];
-        // A mass on a rod whose support moves with (x, y).
+        // The velocity (x, y) of a mass on a rod whose support has the velocity (w, 2 w).
         let x = graph.sum(Number::ZERO, &[(flow_of_sine, Number::ONE), (w, Number::ONE)]);
         let y = graph.sum(Number::ZERO, &[(product, Number::ONE), (w, Number::integer(2))]);
         let [along, across] = [graph.mul(cosine, x), graph.mul(sine, y)];

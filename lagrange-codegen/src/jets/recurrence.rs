@@ -14,7 +14,7 @@ pub enum Coefficient {
     Constant,
     /// From coefficients of lower orders alone.
     Early,
-    /// With the velocities of order k.
+    /// With the velocities and multipliers of order k.
     Late,
 }
 
@@ -252,7 +252,7 @@ impl Jets {
         CONVOLUTION * self.convolutions.len() + moving
     }
 
-    /// The slots, beside velocities, that momenta and conditions need: evaluated twice in each order.
+    /// Late slots that momenta, reactions and conditions need. All but unknowns are evaluated twice an order.
     pub fn under_balances(&self) -> Vec<bool> {
         let mut under = vec![false; self.program.len()];
         let mut stack: Vec<Slot> = self.balances().collect();
@@ -383,8 +383,7 @@ impl Jets {
     }
 }
 
-/// The convolutions of a relation. A power y = x^e has x y and, unless e = −1, x · j y\[j]; a root has y y; a
-/// chain has one for each argument.
+/// A power y = x^e has x y and, unless e = −1, x · j y\[j]; a root has y y; a chain has one an argument.
 fn relation_convolutions(series: &Series) -> Vec<Convolution> {
     let y = series.slot;
     match &series.relation {

@@ -1,5 +1,4 @@
-//! Equal forms of p and f with fewer convolutions. Each is a proposal, and the number of convolutions
-//! decides.
+//! Equal forms of p and f with fewer convolutions. Each is a proposal, and `Jets::cost` decides.
 
 use super::auxiliary::{Auxiliary, Relation, Value};
 use crate::calculus::rebuild;

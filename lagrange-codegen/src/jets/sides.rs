@@ -31,7 +31,8 @@ pub(super) fn rests_at_zero(
         match graph.as_constant(argument) {
             Some(number) if number.is_zero() => [true; 2],
             Some(number) => [!number.is_negative(), number.is_negative()],
-            // A bound of a speed, as a parameter is, is not zero.
+            // An argument of parameters alone is a bound of a speed. At rest the motion is below it, in a
+            // branch that is assumed to have no kink, so neither side counts.
             None => [!graph.dependence(argument).is_fixed(); 2],
         }
     };
@@ -42,8 +43,9 @@ pub(super) fn rests_at_zero(
     })
 }
 
-/// A node on all sides of the switches that it contains, of those sides, above and below zero, that may be
-/// taken. `None` where these are too many.
+/// A node on each combination of sides of the switches that it contains. Of the argument of a switch
+/// `may_be_taken` tells whether the sides above and below zero count. `None` if there are more than [`MOST`]
+/// switches.
 pub(super) fn forms(
     graph: &mut Graph,
     node: NodeId,

@@ -7,7 +7,7 @@
 use super::sides::{Switch, forms};
 use crate::expr::{Binary, Exponent, Graph, Node, NodeId, Unary};
 
-/// Powers below this one, in halves, are steep: r⁻⁴, or the same of a squared distance.
+/// This power, counted in halves, and those below it are steep: x⁻⁴, or s⁻⁴ of a squared distance s.
 const STEEPEST: i32 = -8;
 
 /// Whether the equations contain such a function.
@@ -63,8 +63,8 @@ fn hides(function: Unary) -> bool {
     }
 }
 
-/// Whether a power is high, or a root or reciprocal of a sum with a fixed part, which is how kinks are
-/// smoothed.
+/// Whether a power is [`STEEPEST`] or below, or is a root or reciprocal of a sum with a fixed part, which is
+/// how kinks are smoothed.
 fn is_steep_power(graph: &Graph, base: NodeId, exponent: Exponent) -> bool {
     if graph.dependence(base).is_fixed() {
         return false;

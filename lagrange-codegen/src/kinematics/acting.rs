@@ -85,7 +85,7 @@ impl<'a> Standing<'a> {
 }
 
 /// The action of each constraint on each place. For a constraint on velocities it only tells whether there is
-/// one.
+/// one. A holonomic constraint that is not known as a function of places has no entries.
 pub(crate) fn acting(model: &mut Model, constraints: &[Constraint]) -> Vec<Vec<Acting>> {
     let count = model.coordinates.len() as u32;
     let coordinates: Vec<NodeId> =
@@ -115,7 +115,7 @@ pub(crate) fn acting(model: &mut Model, constraints: &[Constraint]) -> Vec<Vec<A
         for (i, (place, force)) in places.iter().zip(standing.by_place(slopes)).enumerate() {
             let is_whole = match &movers[i] {
                 Some(movers) => !named.iter().any(|q| movers.contains(q)),
-                // A constraint may use nothing but the position of a body that turns with an orientation.
+                // Where orientations move the place, the coordinates in its position decide.
                 None => {
                     let cone = graph.cone(place.position.iter().copied());
                     !named.iter().any(|q| cone.contains(q))

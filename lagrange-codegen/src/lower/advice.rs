@@ -105,8 +105,9 @@ impl<'a> Interpreter<'a> {
         catalogue::record_as_value(holder, kind, field)
     }
 
-    /// Reports fields of `self` with the name of a coordinate, if a result depends on no coordinate: the user
-    /// then means the coordinates. Beside coordinates such a field is as good as any other.
+    /// Reports fields of `self` with the name of a coordinate or an input, if a result depends on no
+    /// coordinate and no velocity: the user then means these. Beside coordinates such a field is as good as
+    /// any other.
     pub fn looks_into_self(&mut self, nodes: &[NodeId]) -> bool {
         let moves = Dependence::COORDINATES.union(Dependence::VELOCITIES);
         let moving = nodes.iter().any(|&node| self.model.graph.dependence(node).meets(moves));

@@ -43,7 +43,8 @@ impl<'a> Interpreter<'a> {
     pub fn both(&mut self, operator: BinaryOperator, left: Value, right: Value, origin: Origin) -> Value {
         match (operator, left, right) {
             (_, Value::Choice(a), Value::Choice(b)) => {
-                // That both fail, or both hold; otherwise the first decides, or else the second.
+                // That both hold, or for `||` that both fail. The opposite: the first decides, or else the
+                // second.
                 let [not_a, not_b] = [a, b].map(|weight| self.opposite(weight));
                 // The second is asked for where the first does not decide.
                 let asked = if operator == BinaryOperator::And { [a, not_a] } else { [not_a, a] };
@@ -123,7 +124,7 @@ impl<'a> Interpreter<'a> {
         value
     }
 
-    /// w · (first value) + w̄ · (second one), in these sides of other branches.
+    /// w · (first value) + w̄ · (second one). `open` are the sides of other branches in which both stand.
     pub fn mixed(
         &mut self,
         weight: NodeId,

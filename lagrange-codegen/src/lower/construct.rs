@@ -319,7 +319,7 @@ impl<'a> Interpreter<'a> {
         for row in 0..rows {
             for column in 0..columns {
                 let index = [row, column].map(Value::index);
-                // Nalgebra goes column by column.
+                // Nalgebra goes column by column, so the closure must not depend on the order.
                 let value = self.apply_later(function, index.to_vec(), origin);
                 entries.extend(self.scalar(value, origin));
             }

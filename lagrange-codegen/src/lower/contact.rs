@@ -1,4 +1,4 @@
-//! Contacts: gaps that stay open or closed, and slip velocities with what limits their friction.
+//! Contacts: gaps that do not become negative, and slip velocities with what limits their friction.
 
 use super::interpreter::Interpreter;
 use super::normal::{Actions, Limit};

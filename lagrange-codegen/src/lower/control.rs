@@ -102,8 +102,8 @@ impl<'a> Interpreter<'a> {
             }
         };
         let Some(over) = over else {
-            // Without a report rustc refuses the loop. The variables that it would change have unknown
-            // values.
+            // Nothing is reported here: rustc refuses the loop, or an earlier message stands. What follows
+            // would read variables that the loop has not changed.
             if self.reports == reports {
                 self.stop();
             }

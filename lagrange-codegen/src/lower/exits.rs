@@ -60,7 +60,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Counts a branch as the one that ways out of its sides begin with.
+    /// Counts ways out of a region as standing in the sides that are open around it.
     pub fn widen(&mut self, region: Region) {
         let open = self.sides.open();
         self.exits[region.exits..].iter_mut().for_each(|exit| exit.open = open.to_vec());
@@ -75,7 +75,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// What follows a region is on the other side of the branches that have left further.
+    /// What follows a region runs where none of its remaining ways out was taken: on the other side of each.
     pub fn go_beside(&mut self, region: Region) {
         for exit in region.exits..self.exits.len() {
             let rest = self.opposite(self.exits[exit].weight);

@@ -2,7 +2,7 @@
 //!
 //! Both sides of an `if` are computed everywhere and multiplied by their weights w, one or zero. The root of
 //! a negative number would remain not a number, whatever it is multiplied by. So functions that are not
-//! defined everywhere, or not differentiable, have another argument where their side is not taken:
+//! defined everywhere, not differentiable, or overflow have another argument where their side is not taken:
 //! √x becomes √(w x + 1 − w), with w of that side. The argument is exactly x where w is one. Derivatives and
 //! series of it are numbers everywhere, too.
 //!
@@ -43,7 +43,7 @@ impl Sides {
         &self.open
     }
 
-    /// Ends all but the outermost ones.
+    /// Ends all sides but the outermost `depth`.
     pub fn leave(&mut self, depth: usize, nodes: usize) {
         self.open.truncate(depth);
         self.since.push((nodes, self.open.last().copied().unwrap_or(0)));

@@ -172,7 +172,7 @@ impl<'a> Interpreter<'a> {
         Value::Scalar(self.graph().constant(number), Rounded::literal(number))
     }
 
-    /// An integer result of a type; `None` where Rust would overflow, which is reported.
+    /// An integer result of a type; [`Value::Unknown`] where Rust would overflow, which is reported.
     pub fn integer(&mut self, value: i128, types: Integers, origin: Origin) -> Value {
         match types.holding(value) {
             Some(types) => Value::Integer(value, types),

@@ -129,7 +129,7 @@ impl<'a> Interpreter<'a> {
                 .entries
                 .iter()
                 .map(|&node| {
-                    // Nalgebra goes column by column.
+                    // Nalgebra goes column by column, so the closure must not depend on the order.
                     let value = self.apply_later(function, vec![Value::scalar(node)], origin);
                     self.scalar(value, origin)
                 })
@@ -275,7 +275,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The sum of all elements, flat: one node for numbers, one for each component of vectors.
+    /// The sum of all elements, flat: one node for numbers, one for each component of vectors. Integers and
+    /// matrices are added one after the other.
     fn total(&mut self, elements: &[Value], origin: Origin) -> Value {
         let Some(first) = elements.iter().find(|element| !matches!(element, Value::Parameter(_))) else {
             return self.flat_sum(elements, origin);

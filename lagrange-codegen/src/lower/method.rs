@@ -134,7 +134,7 @@ impl<'a> Interpreter<'a> {
         self.refuse(word.origin, catalogue::unknown_method(receiver.describe(), &word.name, near))
     }
 
-    /// The number of arguments, checked.
+    /// The arguments, if there are `N` of them. Another number is reported.
     pub fn exactly<const N: usize>(
         &mut self,
         word: &Word,

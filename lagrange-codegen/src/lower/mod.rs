@@ -1,9 +1,10 @@
 //! Item to [`Model`]: names resolved, shapes checked, loops unrolled, helpers inlined.
 //!
 //! An abstract interpreter runs every role function once on symbolic coordinates. Integers,
-//! truth values and shapes are concrete, numbers are nodes of the graph. What depends on more
-//! than that (a branch on `q`, a loop over a field of unknown length) is refused with a message
-//! on the expression. A refused expression becomes an unknown value, which is silent.
+//! truth values and shapes are concrete, numbers are nodes of the graph. An `if` on a comparison
+//! of numbers, such as `q.x < 0.0`, becomes a switch between its sides. What else depends on more
+//! than is concrete (a `match` on `q`, a loop over a field of unknown length) is refused with a
+//! message on the expression. A refused expression becomes an unknown value, which is silent.
 
 mod access;
 mod advice;

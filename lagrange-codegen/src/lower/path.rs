@@ -300,7 +300,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The path of the runtime crate as text.
+    /// The path of the crate that generated code names, as text.
     pub fn crate_text(&self) -> String {
         let path = &self.item.crate_path;
         quote::quote!(#path).to_string().replace(' ', "")

@@ -103,7 +103,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Whether a constant matches a pattern; binds its names if so.
+    /// Whether a constant matches a pattern; binds its names if so. `None` where that is not known, which is
+    /// reported.
     pub fn matches(&mut self, pattern: &'a Pattern, value: &Value) -> Option<bool> {
         match &pattern.kind {
             PatternKind::Wild | PatternKind::Rest => Some(true),

@@ -64,7 +64,7 @@ impl Interpreter<'_> {
                 continue;
             }
             let Some(value) = self.result(index) else { continue };
-            // None of a function whose value is not known, which rustc says why.
+            // A function whose value is not known has none here. rustc says why.
             let gaps = self.model.contacts.iter_mut().map(|contact| &mut contact.constraint);
             let own = (self.model.constraints.iter_mut().chain(gaps))
                 .filter(|constraint| *constraint.name == *function.name);

@@ -25,7 +25,8 @@ pub struct Placed {
 }
 
 impl<'a> Interpreter<'a> {
-    /// Lowers all role functions except forces.
+    /// Lowers all role functions, forces and frictions after what they act on or depend on, and then what the
+    /// attribute and calls of velocities ask for.
     pub fn roles(&mut self) {
         let item = self.item;
         for (index, function) in item.functions.iter().enumerate() {
@@ -65,7 +66,8 @@ impl<'a> Interpreter<'a> {
         self.readings();
     }
 
-    /// The result of a role function; `None` if its signature is wrong, which is reported.
+    /// The result of a role function; `None` if its signature is wrong or its value is unknown, which is
+    /// reported.
     pub fn result(&mut self, index: usize) -> Option<Value> {
         let function: &'a Function = &self.item.functions[index];
         let arguments = self.role_arguments(index)?;
@@ -74,7 +76,7 @@ impl<'a> Interpreter<'a> {
         (!value.is_unknown()).then_some(value)
     }
 
-    /// The arguments that a role function is called with.
+    /// The arguments that a role function is called with; `None` if it takes what no role passes.
     pub fn role_arguments(&mut self, index: usize) -> Option<Vec<Value>> {
         let function: &'a Function = &self.item.functions[index];
         let mut arguments = Vec::with_capacity(function.parameters.len());

@@ -82,7 +82,7 @@ impl Shape {
 const LARGEST_MATRIX: usize = 10_000;
 
 impl<'a> Interpreter<'a> {
-    /// Resolves a type. Unknown types and wrong lengths tell nothing: rustc complains.
+    /// Resolves a type. Unknown types tell nothing, nor do lengths that are not known, which is reported.
     pub fn shape(&mut self, ty: &'a Type) -> Shape {
         if let Some(Meaning { path, statement }) = &ty.meaning {
             self.meant(path.to_string(), statement.to_string(), ty.origin);
@@ -142,7 +142,7 @@ impl<'a> Interpreter<'a> {
                 self.integer(value, types & *expected, origin)
             }
             (value @ Value::Scalar(..), Shape::Scalar) => value,
-            // A scalar or an integer in disguise: an opaque constant of an integer type.
+            // Rust does not convert integers by itself.
             (Value::Integer(number, ..), Shape::Scalar) => {
                 self.report(origin, catalogue::integer_for_scalar(number));
                 Value::Unknown

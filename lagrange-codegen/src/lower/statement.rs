@@ -36,7 +36,8 @@ impl<'a> Interpreter<'a> {
     pub fn block_as(&mut self, block: &'a Block, shape: &Shape) -> Value {
         let mark = self.scope.mark();
         for statement in &block.statements {
-            // Items are in sight in the whole block, imports by name before those of everything.
+            // Items are in sight in the whole block. Imports of everything are bound first, so that those by
+            // name hide them.
             match statement {
                 Statement::Glob => self.scope.bind_glob(),
                 Statement::Constant(constant) => self.later.push(&constant.name),
@@ -114,7 +115,7 @@ impl<'a> Interpreter<'a> {
         self.coerce_of(value, &shape, expr)
     }
 
-    /// Leaves the function, after a description has run away.
+    /// Leaves the function with an unknown value, as after a description has run away.
     pub fn stop(&mut self) {
         self.flow = Flow::Return(Value::Unknown);
     }
@@ -254,7 +255,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A place that a part of is assigned to.
+    /// A place of which a part is assigned to.
     fn base_place(&mut self, expr: &'a Expr) -> Option<Place> {
         let place = self.place(expr)?;
         if let Value::Record(_) = self.read(&place) {

@@ -30,8 +30,8 @@ pub fn lowered(args: TokenStream, item: TokenStream) -> Result<Model, Vec<String
     }
 }
 
-/// Values of the variables in tests: q = 0.3, 0.7, …; v = −0.4, 0.1, …; t = 0.9; parameters
-/// by the function.
+/// Values of the variables in tests: q = 0.3, 0.7, …; v = −0.4, 0.1, …; t = 0.9; u = 1.5, 2.5, …;
+/// parameters by the function.
 pub fn value(model: &Model, node: NodeId, parameter: impl Fn(&str) -> f64) -> f64 {
     let variable = |variable: Variable| match variable {
         Variable::Coordinate(i) => 0.3 + 0.4 * f64::from(i),

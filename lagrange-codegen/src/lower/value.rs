@@ -193,7 +193,7 @@ impl Value {
         }
     }
 
-    /// The nodes of a value of linear algebra; none for the rest.
+    /// The nodes of a value of linear algebra, of a pose those of its translation; none for the rest.
     pub fn nodes(&self) -> &[NodeId] {
         match self {
             Value::Scalar(node, ..) | Value::Rotation(Turn::Plane(node)) => std::slice::from_ref(node),

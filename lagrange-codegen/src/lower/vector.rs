@@ -12,7 +12,7 @@ use crate::expr::Unary;
 use crate::number::Number;
 use crate::syntax::body::Word;
 
-/// The methods of vectors and matrices.
+/// Methods of nalgebra's vectors and matrices.
 pub const METHODS: [&str; 31] = [
     "dot",
     "cross",
@@ -47,7 +47,7 @@ pub const METHODS: [&str; 31] = [
     "xy",
 ];
 
-/// The methods of rotations and poses.
+/// Methods of nalgebra's rotations and poses.
 pub const POSE_METHODS: [&str; 13] = [
     "inverse",
     "transpose",

@@ -272,7 +272,7 @@ fn size_of(
         return own;
     }
     let inertia: Vec<NodeId> = (0..state.len()).map(|i| graph.unary(Unary::Abs, mass[i][i])).collect();
-    // A root that may vanish cannot serve as a unit.
+    // √M[i][i] is a unit only where it is constant: another one may vanish.
     let is_unit =
         |graph: &Graph, i: usize| !graph.is_zero(inertia[i]) && graph.dependence(inertia[i]).is_fixed();
     let mut terms = vec![(own, Number::ONE)];
@@ -327,7 +327,7 @@ fn magnitude(graph: &mut Graph, value: NodeId) -> NodeId {
     }
 }
 
-/// Σ |c| · `of` a term.
+/// |offset| + Σ |c| · `of` a term.
 fn summed(
     graph: &mut Graph,
     offset: Number,
@@ -338,7 +338,8 @@ fn summed(
     graph.sum(offset.abs(), &terms)
 }
 
-/// Factors without their signs. A sum to a positive power is replaced by its [`magnitude`].
+/// Factors without their signs. A sum to a positive power of which `of_summands` holds is replaced by its
+/// [`magnitude`].
 fn absolute(
     graph: &mut Graph,
     factors: &[(NodeId, Exponent)],

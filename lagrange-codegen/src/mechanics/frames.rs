@@ -87,7 +87,7 @@ impl<'a> Frames<'a> {
                 let of_left = self.motion(graph, left, place);
                 of_left.map(|vector| transposed_times(graph, &right.matrix, &vector))
             }
-            // The place is carried by none of the rotations in this product.
+            // Another rotation carries the place: its motion is turned to space axes, and from these.
             (Some(lever), _) => {
                 let own = self.motion(graph, &lever.rotation, place);
                 let in_space = own.map(|vector| times(graph, &lever.rotation.matrix, &vector));

@@ -6,9 +6,9 @@ use crate::calculus::pushforward;
 use crate::expr::{Dependence, Graph, NodeId};
 use crate::model::Model;
 
-/// The most coordinates whose mass matrix is formed in any case. A larger one is formed only if something
-/// asks for its entries: their number is the square of that of the coordinates, and a recursion on the
-/// velocities of the kinetic energy takes time in proportion to the coordinates.
+/// The most coordinates of a decoupled block whose entries are formed in any case. With a larger block, M is
+/// formed only if something asks for its entries: their number is the square of that of the coordinates, and
+/// a recursion on the velocities of the kinetic energy takes time in proportion to the coordinates.
 const FORMED: usize = 64;
 
 /// M = ∂²L/∂v∂v.
@@ -70,13 +70,13 @@ impl MassMatrix {
         mass
     }
 
-    /// Whether the matrix of so many coordinates is formed only if something asks for it.
+    /// Whether the matrix of so many coordinates may have a block that is formed only on request.
     pub(super) fn is_of_many(count: usize) -> bool {
         count > FORMED
     }
 
     /// The mass matrix of many coordinates whose kinetic energy is `energy`. `None` if the energy is no
-    /// quadratic form, or if a sweep for each column is as good.
+    /// quadratic form, or if a large block is asked for, since a sweep for each column is as good then.
     pub(super) fn of_many(
         graph: &mut Graph,
         energy: NodeId,

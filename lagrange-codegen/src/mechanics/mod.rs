@@ -86,7 +86,7 @@ impl Equations {
     }
 
     /// The same with simplified roots where a motion is solved and facts are read: the mass matrix, the
-    /// right-hand side, and the energies.
+    /// right-hand side, the gradients of the constraints with γ, and the energies.
     pub fn simplified(&self, model: &mut Model) -> Equations {
         let mut simpler = self.clone();
         simpler.simplify_motion(model);

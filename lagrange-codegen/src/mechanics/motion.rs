@@ -26,12 +26,11 @@ pub(super) struct Motion {
     pub direction: Vec<(NodeId, NodeId)>,
     /// Orientations whose matrices and angular velocities are variables.
     pub turning: Vec<usize>,
-    /// Quantities with an inertia and no direction of their own: particles, centres of mass, and planar
-    /// angles.
+    /// Quantities whose inertia is one number: positions of particles, centres of mass, and planar angles.
     pub translations: Vec<Translation>,
     /// Spatial rotations.
     pub rotations: Vec<Turning>,
-    /// Places with forces, which are turned into the axes of the carrying rotation.
+    /// The places that rotations carry, with velocities in these rotations' axes; none in space axes.
     pub carried: Vec<Carried>,
 }
 

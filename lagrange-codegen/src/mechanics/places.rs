@@ -57,7 +57,7 @@ pub(super) fn forces(
                 flat
             }
             Some(_) => standing.forces(graph, constraint),
-            // A force on velocities acts on the places with these velocities.
+            // Any other constraint acts on components that are coordinates, by its gradient.
             None => {
                 let slope = |&variable: &NodeId| {
                     let coordinate = components.iter().find(|&&(_, of)| of == variable)?.0;

@@ -29,8 +29,8 @@ type Vector = [NodeId; 3];
 pub struct Screws {
     /// What hangs on a group follows it.
     pub groups: Vec<Group>,
-    /// For each group the place of a body, from that of the first group: its screws and inertia are about it.
-    /// About a common point, small bodies far from it would drown in m d².
+    /// For each group the point that its screws and inertia are about, from that of the first group. About a
+    /// common point, small bodies far from it would drown in m d².
     pub points: Vec<Vector>,
     /// The screw of each coordinate about the point of its group: angular part, linear part.
     pub screws: Vec<[NodeId; 6]>,
@@ -47,7 +47,8 @@ pub struct Screws {
 }
 
 impl Screws {
-    /// `None` where the bodies do not hang on each other like this.
+    /// `None` where the bodies do not hang on each other like this, where there are constraints, or where
+    /// inertia is given as an energy.
     pub fn of(model: &mut Model) -> Option<Screws> {
         let others = [&model.kinetic, &model.lagrangian];
         if others.iter().any(|terms| !terms.is_empty()) || !model.constraints.is_empty() {

@@ -13,7 +13,7 @@ pub struct Constraint {
     pub index: Option<usize>,
     /// f(q, t) or g(q, v, t), which stays zero.
     pub value: NodeId,
-    /// f of a holonomic constraint as a function of places.
+    /// f as a function of the positions of places, where it is known; g if it uses the velocity of a place.
     pub through: Option<NodeId>,
     /// Whether it is one on coordinates or on velocities.
     pub kind: ConstraintKind,

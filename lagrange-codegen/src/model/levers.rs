@@ -17,7 +17,7 @@ pub struct Lever {
     pub arm: [NodeId; 3],
 }
 
-/// The levers of a description, one for each place.
+/// The levers of a description, at most one for a place.
 #[derive(Clone, Debug, Default)]
 pub struct Levers {
     levers: Vec<Lever>,
@@ -25,8 +25,8 @@ pub struct Levers {
 }
 
 impl Levers {
-    /// Adds a lever, unless its place is known or does not depend on its base: a walk from place to base must
-    /// come to an end.
+    /// Adds a lever, unless its place is known, or stands before its base in the graph: a walk from place to
+    /// base must come to an end.
     pub fn insert(&mut self, lever: Lever) {
         let follows = lever.place.iter().zip(&lever.base).all(|(place, base)| place >= base);
         if follows && lever.place != lever.base && !self.known.contains(&lever.place) {

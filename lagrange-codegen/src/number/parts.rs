@@ -1,4 +1,4 @@
-//! Numbers as two doubles: the nearest one, and the one nearest to what that lacks.
+//! Numbers as two doubles: the value in doubles, and the double nearest to what that lacks.
 
 use super::Number;
 
@@ -6,7 +6,8 @@ use super::Number;
 pub(super) type Parts = (f64, f64);
 
 impl Number {
-    /// The nearest double, and the double nearest to what that lacks.
+    /// The double of the number, and the double nearest to what that lacks. The former is the nearest one for
+    /// a ratio and a literal, and what arithmetic of doubles gives for other results.
     pub fn parts(self) -> (f64, f64) {
         match self {
             Number::Ratio(numerator, denominator) => {
@@ -66,7 +67,7 @@ pub(super) fn product(a: Parts, b: Parts) -> Parts {
     two_sum(high, a.0.mul_add(b.0, -high) + (a.0 * b.1 + a.1 * b.0))
 }
 
-/// One of Newton's steps from the double.
+/// One step of Newton's method from the double.
 pub(super) fn reciprocal(a: Parts) -> Parts {
     let rough = 1.0 / a.0;
     let less = product(a, (rough, 0.0));
@@ -74,7 +75,7 @@ pub(super) fn reciprocal(a: Parts) -> Parts {
     sum((rough, 0.0), product((rough, 0.0), error))
 }
 
-/// One of Newton's steps from the double.
+/// One step of Newton's method from the double.
 pub(super) fn root(a: Parts) -> Parts {
     let rough = a.0.sqrt();
     let square = product((rough, 0.0), (rough, 0.0));
@@ -85,7 +86,8 @@ pub(super) fn root(a: Parts) -> Parts {
 /// The difference between a decimal and a double, exactly: both are written out and subtracted digit by
 /// digit.
 pub(super) fn rest_of_decimal(text: &str, value: f64) -> f64 {
-    /// Digits before the point, and behind it: those of the smallest double.
+    /// Digits before the point, of which the largest double has 309, and behind it, of which the smallest one
+    /// has 1074.
     const WHOLE: usize = 320;
     const FRACTION: usize = 1100;
     if !value.is_finite() {
@@ -105,7 +107,7 @@ pub(super) fn rest_of_decimal(text: &str, value: f64) -> f64 {
     };
     add(text, 1);
     add(&format!("{value:.FRACTION$}"), -1);
-    // The first digit that is not zero has the sign of all: the digits are made so that all have it.
+    // The first digit that is not zero has the sign of the difference. Borrowing gives all digits that sign.
     let sign = difference.iter().find(|&&digit| digit != 0).map_or(1, |digit| digit.signum());
     let mut carry = 0;
     for digit in difference.iter_mut().rev() {

@@ -64,7 +64,7 @@ pub struct Expansion {
     pub solvers: Vec<Solver>,
     /// Reciprocals of pivots. They are finite if there is a solution.
     pub pivots: Vec<Slot>,
-    /// The system that the runtime solves for multipliers, with constraints.
+    /// The system that the runtime solves in an order with constraints.
     pub saddle: Option<SaddlePoint>,
     /// The slots that hold coefficients, for names.
     pub coefficients: Vec<Coefficient>,
@@ -157,12 +157,12 @@ pub enum Part {
 #[derive(Clone, Debug)]
 pub struct Expansions {
     plain: Expansion,
-    /// Where it is another one.
+    /// The expansion for numbers that carry others, if it differs from `plain`.
     carrying: Option<Expansion>,
 }
 
 impl Expansions {
-    /// Plans them.
+    /// Plans the expansions of both kinds.
     pub fn plan(model: &mut Model, equations: &Equations, solution: &Solution, jets: &Jets) -> Expansions {
         let plain = plan(model, equations, solution, jets, Numbers::Plain);
         let carrying = if plain.solvers.iter().any(|solver| matches!(solver.by, By::Inverse { .. })) {
@@ -173,7 +173,7 @@ impl Expansions {
         Expansions { plain, carrying }
     }
 
-    /// That for some numbers.
+    /// The expansion for a kind of numbers.
     pub fn of(&self, numbers: Numbers) -> &Expansion {
         match (numbers, &self.carrying) {
             (Numbers::Carrying, Some(carrying)) => carrying,

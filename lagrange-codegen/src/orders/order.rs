@@ -37,9 +37,10 @@ pub(super) struct Order<'a> {
     pub program: Program,
     /// Values at the point of expansion, by slot of the recurrences.
     pub values: Vec<Slot>,
-    /// Slots with a coefficient of their own. Those of the others are written in terms of their operands'.
+    /// Slots with a coefficient of their own. The coefficients of other slots are written in terms of those
+    /// of their operands.
     pub named: Vec<bool>,
-    /// Factors of power recurrences, by slot: dy/dx at the point of expansion and 1 / x.
+    /// Factors of power recurrences, by slot: dy/dx at the point of expansion and, except for roots, 1 / x.
     pub powers: Lookup<Slot, (Slot, Slot)>,
     coefficients: Vec<Option<Slot>>,
     /// The coefficients with the unknowns at zero; `None` for zero.
@@ -152,7 +153,7 @@ impl<'a> Order<'a> {
         }
     }
 
-    /// Plans the operands of momenta and conditions with the unknowns at zero.
+    /// Plans the operands of momenta, reactions and conditions with the unknowns at zero.
     pub fn partially(&mut self) {
         let under = self.jets.under_balances();
         for slot in self.late().filter(|slot| under[slot.index()]).collect::<Vec<_>>() {
@@ -200,7 +201,8 @@ impl<'a> Order<'a> {
         self.sum(slot, None, &terms, false).unwrap_or_else(|| self.zero())
     }
 
-    /// `start` plus the coefficient of a slot with the unknowns at zero; `None` for zero.
+    /// `start` plus the coefficient of a slot with the unknowns at zero, or minus it if `negative`; `None`
+    /// for zero.
     pub fn balance(&mut self, start: Option<Slot>, slot: Slot, negative: bool) -> Option<Slot> {
         let mut terms = self.read(slot);
         if negative {

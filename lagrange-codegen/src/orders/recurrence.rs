@@ -10,7 +10,8 @@ impl Order<'_> {
     /// The terms in the order in which their operands are known.
     fn sorted(&self, mut terms: Vec<Term<Operand>>) -> Vec<Term<Operand>> {
         terms.sort_by_key(|term| (self.when(term.value), term.factor.is_some()));
-        // A chain starts with a positive term if it has one, which saves a change of sign.
+        // A chain starts with a positive term if one of the earliest is positive, which saves a change of
+        // sign.
         let earliest = terms.first().map(|term| self.when(term.value));
         if let Some(index) = terms.iter().position(|term| !term.negative)
             && Some(self.when(terms[index].value)) == earliest
@@ -31,7 +32,7 @@ impl Order<'_> {
         self.sorted(terms)
     }
 
-    /// The coefficient of a slot as one term, or else its terms.
+    /// The coefficient of a slot: one term if the slot has one of its own, else the terms of its instruction.
     pub(super) fn read(&mut self, slot: Slot) -> Vec<Term<Operand>> {
         let mut terms = Vec::new();
         self.add(slot, false, &mut terms);

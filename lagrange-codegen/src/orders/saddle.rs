@@ -21,9 +21,9 @@ pub struct SaddlePoint {
     pub method: Saddle,
     /// A; rows are constraints.
     pub gradients: Vec<Vec<Slot>>,
-    /// 1 / M of a diagonal M, else the lower triangle of M.
+    /// 1 / M if the velocities are eliminated, else the lower triangle of M.
     pub mass: Vec<Slot>,
-    /// With a diagonal M the lower triangle of A M⁻¹ Aᵀ, unless the runtime forms it.
+    /// The lower triangle of A M⁻¹ Aᵀ if the velocities are eliminated, unless the runtime forms it.
     pub schur: Vec<Slot>,
     /// Switches of rows that hold at times.
     pub switches: Vec<Slot>,
@@ -129,7 +129,7 @@ impl Order<'_> {
         }
     }
 
-    /// Velocities and multipliers of an order if M is diagonal.
+    /// Velocities and multipliers of an order by elimination of the velocities, for a diagonal M.
     fn eliminate(
         &mut self,
         saddle: &mut SaddlePoint,

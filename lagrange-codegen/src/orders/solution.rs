@@ -98,7 +98,7 @@ impl Start {
     }
 }
 
-/// 1 / a, as a literal if that is exact.
+/// 1 / a, as a literal if a is one.
 fn reciprocal(program: &mut Program, a: Slot) -> Slot {
     let number = match program.instruction(a) {
         Instruction::Literal(number) => number.recip(),
@@ -114,7 +114,7 @@ fn reciprocal(program: &mut Program, a: Slot) -> Slot {
     }
 }
 
-/// All factors in a fixed order, of a velocity 1 / pivot first.
+/// All factors, step by step. In a step that eliminates a velocity, 1 / pivot comes first.
 fn nodes(recursion: &Recursion) -> Vec<NodeId> {
     let mut nodes = Vec::new();
     for step in &recursion.steps {

@@ -6,7 +6,7 @@
 
 use crate::jets::{Bundle, Convolution, Operand, bundles};
 
-/// The most numbers that a tile sums: as many as the registers of common vector units hold.
+/// The most numbers that a tile sums at a time: as many as the registers of common vector units hold.
 const TOGETHER: usize = 64;
 
 /// The most instances side by side in a tile.
@@ -29,7 +29,8 @@ pub struct Tiles {
     pub sums: usize,
     /// The index of the sum of each convolution.
     pub convolutions: Vec<usize>,
-    /// The number of the product of a bundle that each convolution is. Instances of one product share it.
+    /// For each convolution the number of the product of a pattern that it is an instance of, counted over
+    /// all bundles.
     pub roles: Vec<u32>,
     /// The columns that hold factors, each with the index of its factor.
     pub factors: Vec<(usize, usize)>,
@@ -46,7 +47,7 @@ pub struct Tiles {
 pub struct Tile {
     /// The index of the pattern.
     pub pattern: usize,
-    /// The number of instances that fit.
+    /// The number of instances that are summed at a time.
     pub width: usize,
     /// The number of instances.
     pub used: usize,
@@ -99,7 +100,8 @@ impl Tiles {
             while width > VECTOR && (width * products > TOGETHER || width / 2 >= left) {
                 width /= 2;
             }
-            // If a wide tile would be less than half full, a narrower one serves.
+            // A tile wider than eight that would not be full is made narrower, and the next tile takes the
+            // rest.
             while width > 8 && width > left {
                 width /= 2;
             }

@@ -62,7 +62,8 @@ fn power(program: &mut Program, x: Slot, exponent: Exponent) -> Slot {
     }
 }
 
-/// dy/dx of a power and 1 / x, in the form that its recurrence uses.
+/// dy/dx of a power y and 1 / x, in the form that its recurrence uses. That of a root needs no 1 / x and gets
+/// y instead.
 pub(super) fn slope(program: &mut Program, exponent: Number, x: Slot, y: Slot) -> (Slot, Slot) {
     if exponent == Number::HALF {
         let half = literal(program, Number::HALF);

@@ -36,7 +36,7 @@ pub(super) fn arguments(graph: &mut Graph, nodes: impl IntoIterator<Item = NodeI
     let mut arguments: Vec<NodeId> = Vec::new();
     for id in graph.cone(nodes) {
         let Some(argument) = kinked(graph, id) else { continue };
-        // The smaller and the larger of two numbers share one switch.
+        // An argument and its opposite, as of the larger and the smaller of two numbers, share one switch.
         let opposite = graph.neg(argument);
         if !arguments.contains(&argument) && !arguments.contains(&opposite) {
             arguments.push(argument);
@@ -45,8 +45,8 @@ pub(super) fn arguments(graph: &mut Graph, nodes: impl IntoIterator<Item = NodeI
     arguments
 }
 
-/// The same arguments in a graph in which matrices of orientations are variables, or in the laws of its
-/// frictions; `None` if one of them is not found.
+/// The arguments `kinks` where matrices of orientations are variables: from the graph `before`, or from the
+/// laws of frictions; `None` if one of them is not found.
 pub(super) fn described(
     before: &Graph,
     model: &mut Model,
@@ -153,7 +153,8 @@ fn across(graph: &mut Graph, argument: NodeId, functions: &[NodeId]) -> Vec<Node
     above.into_iter().zip(below).map(|(above, below)| graph.sub(above, below)).collect()
 }
 
-/// The user's function in which each kink was first written; an empty name if none is known.
+/// A function of the user that contains each kink, with forces before all others; an empty name if none is
+/// known.
 pub(super) fn names(model: &mut Model, kinks: &[NodeId], contacts: &[Contact]) -> Vec<String> {
     let zero = model.graph.zero();
     let mut functions: Vec<(String, Vec<NodeId>)> = Vec::new();

@@ -1,9 +1,10 @@
 //! Systems whose equations switch: kinks, contacts, friction.
 //!
 //! All regimes of a system are one system with more parameters. For each row that is a constraint at times
-//! there is one that tells whether it holds, for each friction the sign of its slip, and for each kink its
-//! side. With these held constant the equations are smooth, so all that serves smooth constrained systems
-//! serves them: series, retraction, checks. The runtime's `Switching` defines a regime.
+//! there is one that tells whether it holds, for each friction the sign of its slip, for each reaction that
+//! limits friction its sign, and for each kink its side. With these held constant the equations are smooth,
+//! so all that serves smooth constrained systems serves them: series, retraction, checks. The runtime's
+//! `Switching` defines a regime.
 
 mod kinks;
 mod sliding;
@@ -40,7 +41,7 @@ pub struct Regimes {
     pub jumps: Vec<NodeId>,
     /// Other quantities with two values at a kink, in the same graph.
     pub corners: Vec<Corner>,
-    /// The gaps that jump at a kink, in the same graph.
+    /// The gaps and holonomic constraints that jump at a kink, in the same graph.
     pub breaks: Vec<Jump>,
     /// The system of one regime, with its switches as its last parameters.
     pub model: Model,
@@ -49,11 +50,11 @@ pub struct Regimes {
     /// Coefficients of friction for slips forward and backward, in the graph of `rows`; `None` if no law
     /// depends on the direction of a slip.
     pub coefficients: Option<[Coefficients; 2]>,
-    /// Its equations.
+    /// The equations of `model`.
     pub equations: Equations,
     /// The equations that its series is made of, if they are others.
     pub turned: Option<Equations>,
-    /// Facts about them.
+    /// Facts about `equations`.
     pub facts: Facts,
     /// How they are solved.
     pub solution: Solution,
@@ -61,14 +62,14 @@ pub struct Regimes {
     pub jets: Option<Jets>,
     /// The operations of these recurrences, an order at a time.
     pub orders: Option<Expansions>,
-    /// The law of each row; `None` for the last rows, which are loads.
+    /// The law of each row; `None` for constraints that always hold. Loads, the last rows, have no entry.
     pub laws_of: Vec<Option<Law>>,
 }
 
 /// The functions of one regime whose zeros end it.
 #[derive(Clone, Debug)]
 pub struct Functions {
-    /// Gaps and slip velocities; zero of rows that always hold.
+    /// Gaps and slip velocities; zero of rows that always hold, and of loads.
     pub rows: Vec<NodeId>,
     /// Coefficients of friction that sticks, for slips forward and backward; zero of other rows.
     pub fixed: [Vec<NodeId>; 2],
@@ -117,8 +118,9 @@ impl Regimes {
     }
 }
 
-/// The regimes of a system; `None` if it has a single one. `is_smooth` tells whether the system has a series
-/// as it is. `described` is the model with matrices of orientations as variables, if it has orientations.
+/// The regimes of a system; `None` if it has a single one, if without contacts even one regime is not smooth,
+/// or after a mistake is reported. `is_smooth` tells whether the system has a series as it is. `described` is
+/// the model with matrices of orientations as variables, if it has orientations.
 pub fn derive(
     model: &Model,
     described: Option<&Model>,

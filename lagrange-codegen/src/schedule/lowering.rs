@@ -13,7 +13,7 @@ pub fn plan(graph: &Graph, roots: &[NodeId]) -> Program {
     let cone = graph.cone(roots.iter().copied());
     let mut lowering = Lowering::new(graph, &cone);
     for &id in &cone {
-        // Scaled nodes and products become part of the sums that use them. All others are values.
+        // Constants, scaled nodes and products become part of what uses them. All others are values.
         if !lowering.joins_its_users(id) {
             lowering.value(id);
         }

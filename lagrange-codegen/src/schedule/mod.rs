@@ -1,8 +1,8 @@
-//! From graph nodes to a straight-line program of two-operand instructions.
+//! From graph nodes to a straight-line program of instructions, and from its alike parts to loops.
 //!
-//! Products share their common pairs of factors. Divisors with several uses become reciprocals. Factors that
-//! depend on parameters alone are gathered, so that they can be computed once per run. Scheduling does no
-//! other algebra.
+//! Products share their common pairs of factors, and terms of a sum share a multiplier. Divisors with several
+//! uses become reciprocals. Factors that depend on parameters alone are gathered, so that they can be
+//! computed once per run. Scheduling does no other algebra.
 
 mod divisors;
 mod lowering;

@@ -49,7 +49,7 @@ fn roundings(graph: &Graph, roots: [NodeId; 2], point: u32) -> [f64; 2] {
     roots.map(|root| gathered[at(root)])
 }
 
-/// The value of a variable, of size 1. Parameters are positive.
+/// The value of a variable: for parameters between 0.3 and 1.7, for others between −1.5 and 1.5.
 fn sample(variable: Variable, point: u32) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_895;
     let (kind, index) = match variable {

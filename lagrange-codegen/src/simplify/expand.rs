@@ -40,7 +40,8 @@ fn cheaper(graph: &mut Graph, id: NodeId) -> NodeId {
     if cheaper && keeps_digits(graph, id, candidate) { candidate } else { id }
 }
 
-/// Whether a sum stands inside a product somewhere in the polynomial part of the node.
+/// Whether a node that moves with coordinates is a product with a sum that opens, or a sum of which a term is
+/// such a product or a sum.
 fn is_nested(graph: &Graph, id: NodeId) -> bool {
     if graph.dependence(id).is_fixed() || !graph.dependence(id).meets(Dependence::COORDINATES) {
         return false;
@@ -64,7 +65,7 @@ fn opens(graph: &Graph, factor: NodeId, exponent: Exponent) -> bool {
         && !graph.dependence(factor).is_fixed()
 }
 
-/// The number of monomials, saturating at the limit.
+/// The number of monomials, saturating above the limit.
 fn monomials(graph: &Graph, id: NodeId, depth: u32) -> u32 {
     if depth > 8 {
         return MOST_MONOMIALS + 1;

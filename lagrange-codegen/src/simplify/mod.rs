@@ -1,7 +1,7 @@
-//! Rewritings that lower the cost of a set of roots and never harm their accuracy.
+//! Rewritings that lower the cost of a set of roots and keep their accuracy.
 //!
-//! Each pass proposes, and [`mod@cost`] decides. A proposal is kept only if the whole set of roots gets
-//! cheaper, so expressions cannot swell.
+//! Sums of angles are rewritten wherever that spares a call. Every other pass proposes, and [`mod@cost`]
+//! decides. A proposal is kept only if the whole set of roots gets cheaper, so expressions cannot swell.
 
 mod accuracy;
 mod angles;
@@ -13,8 +13,8 @@ use crate::expr::{Graph, NodeId};
 use crate::model::Hints;
 use cost::cost;
 
-/// The most nodes for which whole sets of roots are compared. These passes cost time in proportion to roots ×
-/// nodes, and larger systems are chains, which nest well.
+/// The most nodes for which products are multiplied out. Whether that is kept is decided for each root by the
+/// cost of all, which takes time in proportion to roots × nodes. Larger systems are chains, which nest well.
 const COMPARABLE: usize = 4_000;
 
 /// Cheaper roots of equal value.
@@ -43,7 +43,7 @@ pub fn price(graph: &mut Graph, hints: &mut Hints, roots: &[NodeId]) -> u32 {
     cost(graph, &simpler)
 }
 
-/// Takes a proposal root by root, each if it lowers the cost of the whole.
+/// Takes a proposal as a whole if that is cheaper, else root by root what lowers the cost of all roots.
 fn cheaper_of_each(graph: &Graph, mut roots: Vec<NodeId>, proposal: &[NodeId]) -> Vec<NodeId> {
     let mut lowest = cost(graph, &roots);
     let all = cost(graph, proposal);

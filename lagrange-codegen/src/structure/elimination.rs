@@ -2,8 +2,8 @@
 //!
 //! The operations are those of the numeric factorisation without pivoting, which is stable for positive
 //! definite matrices in any order (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., chapter
-//! 10). Constant pivots go first: their quotients are computed once per run, and the graph simplifies the
-//! remaining entries.
+//! 10). Constant pivots go first where that costs little fill: their quotients are computed once per run, and
+//! the graph simplifies the remaining entries.
 
 use crate::expr::{Graph, Node, NodeId};
 
@@ -15,7 +15,8 @@ pub(super) struct Elimination {
     pub solution: Vec<NodeId>,
 }
 
-/// An order of elimination for the pattern: fixed pivots first, then fewest neighbours.
+/// An order of elimination for the pattern, and the number of operations. The pivot with the fewest
+/// neighbours is next, or a fixed one with at most one neighbour more.
 pub(super) fn order(
     graph: &Graph,
     block: &[usize],
@@ -129,7 +130,8 @@ pub(super) fn guarded(graph: &mut Graph, pivot: NodeId, diagonal: NodeId) -> Nod
             && !graph.dependence(factor).is_fixed()
     });
     let Some((sum, _)) = moving_sum else {
-        // A product of squares has lost no digits. A fixed pivot is computed once and guarded as a whole.
+        // A product without such a sum has lost no digits. A fixed pivot is computed once and guarded as a
+        // whole.
         return if graph.dependence(pivot).is_fixed() { graph.pivot(pivot, diagonal) } else { pivot };
     };
     let sum = if coefficient.is_negative() { graph.neg(sum) } else { sum };

@@ -10,7 +10,7 @@ use crate::model::{ConstraintKind, Model};
 pub struct Facts {
     /// M is constant.
     pub constant_mass: bool,
-    /// M is constant and the forces do not depend on velocities.
+    /// M is constant, no force depends on velocities, and there are no constraints.
     pub separable: bool,
     /// M has no entry off its diagonal.
     pub diagonal_mass: bool,
@@ -21,13 +21,14 @@ pub struct Facts {
     pub timeless: bool,
     /// The Jacobi integral is not T + V.
     pub has_jacobi_integral: bool,
-    /// No applied forces: neither `force` nor `dissipation`.
+    /// There is neither `force` nor `dissipation`, and no constraint does work.
     pub conservative: bool,
     /// No constraint is on velocities alone.
     pub holonomic: bool,
     /// T = ½ v·M v, and neither energies nor constraints depend on time.
     pub scleronomic: bool,
-    /// Coordinates that L does not depend on. Their momentum is conserved if no force acts on it.
+    /// Coordinates that L does not depend on and that neither applied forces nor constraints act on. Their
+    /// momenta are conserved.
     pub cyclic: Vec<usize>,
     /// Decoupled blocks of the mass matrix, ascending.
     pub blocks: Vec<Vec<usize>>,

@@ -42,7 +42,8 @@ pub enum Step {
     },
 }
 
-/// A pivot with the size of the number from which it was subtracted: the same node if nothing was subtracted.
+/// A pivot, and the size of the number that subtractions have reduced to it: the same node if nothing was
+/// subtracted.
 #[derive(Clone, Copy, Debug)]
 pub struct Articulated {
     /// The place in the block.

@@ -13,7 +13,7 @@ use crate::number::Number;
 use crate::simplify::cost::cost;
 
 /// The most operations, about, of a factorisation that is written out. A larger one is a loop of the runtime,
-/// which compiles faster and runs on vectors.
+/// which compiles faster and runs on vectors, unless a recursion takes fewer operations.
 const WRITTEN_OUT: usize = 30;
 
 /// How one block is solved.
@@ -48,8 +48,9 @@ pub struct Pivot {
     pub coordinate: usize,
     /// Its value.
     pub value: NodeId,
-    /// The size beside which it must not vanish: the diagonal entry, or the larger product of a determinant.
-    /// The same node as `value` if nothing is subtracted.
+    /// The size beside which it must not vanish: the diagonal entry, in a recursion times a factor for the
+    /// subtractions, or of a determinant the sum of the magnitudes of its products. The same node as `value`
+    /// if nothing is subtracted.
     pub scale: NodeId,
 }
 
@@ -100,7 +101,8 @@ pub struct Solution {
 
 impl Solution {
     /// Chooses a method for every block, or for all coordinates with constraints. The equations come in the
-    /// user's form and in the form that a motion solves.
+    /// user's form and in the form that a motion solves. `None` if a block needs a mass matrix that is not
+    /// formed.
     pub fn plan(
         model: &mut Model,
         told: (&Equations, &Facts),
@@ -210,9 +212,10 @@ fn kind(facts: &Facts) -> &'static str {
     }
 }
 
-/// The method for a system with constraints. M is eliminated if no entry of its diagonal is zero. With as
-/// many constraints as coordinates the accelerations would then be differences of large forces, and rest
-/// would be noise; without a null space they are exact.
+/// The method for a system with constraints. Accelerations are eliminated if M is diagonal without zeros, no
+/// row holds at times only, and there are fewer constraints than coordinates. With as many, eliminated
+/// accelerations would be differences of large forces, and rest would be noise; by the null space, which is
+/// then empty, they are exact.
 fn saddle(graph: &Graph, equations: &Equations, facts: &Facts) -> Saddle {
     if equations.conditions.switched.is_some() {
         return Saddle::Switched { definite: equations.definite };

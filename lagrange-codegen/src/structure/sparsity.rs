@@ -22,7 +22,7 @@ pub struct Sparsity {
     pub coupled: Vec<Vec<usize>>,
     /// For each, the earlier columns in which its row of the factor may differ from zero.
     pub earlier: Vec<Vec<usize>>,
-    /// For each, the later rows in which its column of the factor may.
+    /// For each, the later rows in which its column of the factor may differ from zero.
     pub later: Vec<Vec<usize>>,
 }
 
@@ -108,7 +108,7 @@ impl Sparsity {
         self.coordinates.iter().map(Vec::len).sum()
     }
 
-    /// The number of entries of the factor that can.
+    /// The number of entries of the factor, beside its diagonal, that can differ from zero.
     pub fn factor(&self) -> usize {
         self.later.iter().map(Vec::len).sum()
     }
@@ -130,7 +130,7 @@ impl Sparsity {
     }
 }
 
-/// The same with dense rows.
+/// The multiplications of [`Sparsity::operations`] with dense rows.
 fn dense(constraints: usize, coordinates: usize) -> usize {
     let formed = constraints * (constraints + 1) / 2 * coordinates;
     formed + constraints.pow(3) / 6 + constraints * constraints + 2 * constraints * coordinates

@@ -283,7 +283,7 @@ pub fn groups(
         .collect()
 }
 
-/// More scalar coordinates than a macro could expand within reason.
+/// The most elements of a declared array. A macro could not expand more within reason.
 const LONGEST: usize = 10_000;
 
 fn length(

@@ -1,8 +1,8 @@
 //! Function bodies as lowering sees them: a small tree in which every expression has its origin.
 //!
-//! References, dereferences, parentheses and groups are gone. What the language does not know is an
-//! [`ExprKind::Unsupported`] with its message. It is reported only if a role reaches it, since other
-//! functions of the block may use all of Rust.
+//! References, parentheses and groups are gone, and so are dereferences of anything but fields of `self`.
+//! What the language does not know is an [`ExprKind::Unsupported`] with its message. It is reported only if
+//! a role reaches it, since other functions of the block may use all of Rust.
 
 use std::rc::Rc;
 

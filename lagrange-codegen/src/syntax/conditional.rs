@@ -2,7 +2,7 @@
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 
-/// The first `#[cfg(…)]` or `#[cfg_attr(…)]` in some tokens.
+/// A `#[cfg(…)]` or `#[cfg_attr(…)]` in some tokens, if there is any.
 pub fn find(tokens: TokenStream) -> Option<Span> {
     let mut stack = vec![tokens];
     while let Some(stream) = stack.pop() {

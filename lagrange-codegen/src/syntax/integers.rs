@@ -57,7 +57,8 @@ impl Integers {
         (left != 0).then_some(Integers(left))
     }
 
-    /// `value as type`: bits beyond the width are cut off. `None` if the width of a pointer decides.
+    /// `value as type`: bits beyond the width are cut off. `None` if the width of a pointer decides, or if a
+    /// negative number becomes a `u128`.
     pub fn cast(self, value: i128) -> Option<i128> {
         let &(name, width, signed) = TYPES.get(self.0.trailing_zeros() as usize)?;
         if width == 128 {
@@ -69,8 +70,8 @@ impl Integers {
         (!name.ends_with("size") || cut == value).then_some(cut)
     }
 
-    /// `value as type` for a number: rounded towards zero and limited to the range of the type. `None` if it
-    /// is not finite.
+    /// `value as type` for a number: rounded towards zero and limited to the range of the type, that of
+    /// `u128` ending where `i128` does. `None` if it is not finite.
     pub fn saturated(self, value: f64) -> Option<i128> {
         let &(_, width, signed) = TYPES.get(self.0.trailing_zeros() as usize)?;
         let (low, high) = match (width, signed) {

@@ -284,8 +284,8 @@ impl Function {
         self.role.as_ref().map(|role| &role.kind).or(self.unread.as_ref())
     }
 
-    /// The arguments of the function's velocity, in order; `None` if the function depends on more than the
-    /// state.
+    /// The arguments of the function's velocity, in order; `None` if the function depends on more than
+    /// coordinates and time.
     pub fn velocity_arguments(&self) -> Option<Vec<Argument>> {
         let mut arguments = Vec::new();
         for parameter in &self.parameters {
@@ -385,7 +385,7 @@ pub struct Eliminate {
 pub enum Target {
     /// `#[force]`: all coordinates in order.
     Generalized,
-    /// `#[force(at = joints[3])]`: a point or body.
+    /// `#[force(at = joints[3])]`: a place, such as a point or body.
     At(Word, Option<Expr>),
     /// `#[force(on = theta[1])]`: a coordinate.
     On(Word, Option<Expr>),

@@ -42,7 +42,7 @@ pub fn unnamed(index: usize, span: Span) -> Ident {
     format_ident!("__unnamed{index}", span = span)
 }
 
-/// The longest run of tokens that can be read, inside their groups, too.
+/// The longest run of tokens that can be read. If there is none, that of the first group that has one.
 pub fn readable<T: Parse>(trees: &[TokenTree]) -> Option<T> {
     let run = |start: usize| {
         let rest = || trees[start..].iter().cloned().collect::<TokenStream>();

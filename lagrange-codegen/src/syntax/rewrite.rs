@@ -187,7 +187,7 @@ impl Generalizer<'_> {
         )
     }
 
-    /// A literal that no double equals.
+    /// A literal that no double equals, in two parts; `None` for others.
     fn exact(&self, literal: &Lit) -> Option<TokenStream> {
         let digits = match literal {
             Lit::Float(float) => float.base10_digits(),

@@ -33,7 +33,7 @@ const SUPPORTED: [&str; 12] = [
 /// Arguments of roles that may stand without a value.
 const FLAGS: [&str; 2] = ["eliminate", "chetaev"];
 
-/// Attributes of the language and of common tools that resemble no role.
+/// Attributes of the language and of common tools. They are no misspelt roles.
 const FOREIGN: [&str; 16] = [
     "allow",
     "expect",
@@ -53,7 +53,7 @@ const FOREIGN: [&str; 16] = [
     "test",
 ];
 
-/// Whether an attribute is one of ours, misspelt ones included.
+/// Whether an attribute is one of ours, misspelt ones and a `cfg_attr` around one included.
 pub fn is_role(attribute: &Attribute) -> bool {
     let conditional = || attribute.path().is_ident("cfg_attr") && mentions_role(attribute);
     name(attribute).is_some_and(|name| known(&name) || misspelt(&name).is_some()) || conditional()
@@ -103,7 +103,7 @@ pub fn refuse_on_item(item: &syn::ImplItem, translator: &mut Translator) {
 }
 
 /// Reads the role of a function from its attributes. Mistakes are reported. The second result is the kind of
-/// a role whose arguments are wrong.
+/// a role whose arguments are wrong, or of the first of two.
 pub fn parse(attributes: &[Attribute], translator: &mut Translator) -> (Option<Role>, Option<RoleKind>) {
     let mut role: Option<(Role, String)> = None;
     let mut unread = None;

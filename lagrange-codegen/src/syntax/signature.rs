@@ -222,7 +222,7 @@ pub fn returned_names(function: &ImplItemFn) -> Vec<proc_macro2::Ident> {
     names
 }
 
-/// The float types in a signature, in order, and whether each is `f32`.
+/// The float types in a signature, and whether each is `f32`.
 pub fn float_types(function: &ImplItemFn) -> Vec<(Span, bool)> {
     let mut found = Vec::new();
     let mut stack: Vec<TokenStream> = Vec::new();

@@ -101,7 +101,7 @@ impl Translator<'_> {
         Rc::from(text)
     }
 
-    /// Whether a single identifier names the scalar type.
+    /// Whether a word is the type parameter of the scalar.
     pub fn is_scalar(&self, name: &str) -> bool {
         match &self.scalar {
             Scalar::F64 | Scalar::F32 => false,

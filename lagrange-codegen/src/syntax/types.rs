@@ -15,13 +15,13 @@ pub struct Type {
     pub origin: Origin,
     /// The kind of the type.
     pub kind: TypeKind,
-    /// The check that this is nalgebra's type of that name.
+    /// The check that this is nalgebra's type of that name, or the velocity of a body.
     pub meaning: Option<Meaning>,
     /// As the user wrote it.
     pub written: Name,
 }
 
-/// A check that a type is nalgebra's.
+/// A check that a type is nalgebra's, or the runtime's velocity of a body.
 #[derive(Clone, Debug)]
 pub struct Meaning {
     /// The path without generic arguments: each path is checked once.

@@ -1,8 +1,8 @@
 //! Blocks that do not parse, as an editor has them while somebody types: all that can be read, item by item.
 //!
 //! The compiler has parsed an item before it calls the attribute, and has reported what does not parse, so
-//! nothing is reported here. A body that does not parse is kept as tokens. Of a signature is kept what can be
-//! read. The generated items follow from these declarations, so they outlive the mistake.
+//! nothing is reported here. A body that does not parse is kept as tokens. Of a signature, what can be read
+//! is kept. The generated items follow from these declarations, so they outlive the mistake.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
@@ -16,7 +16,7 @@ use super::role;
 /// The word that rust-analyzer inserts where something is missing, before it calls a macro.
 const MISSING: &str = "__ra_fixup";
 
-/// Reads an `impl` block, with the message of the parser if it does not parse.
+/// Reads an item. A message tells why it is not whole: an `impl` block does not parse, or a word is missing.
 pub fn read(item: TokenStream) -> syn::Result<(syn::Item, Option<String>)> {
     let error = match syn::parse2::<syn::Item>(item.clone()) {
         Ok(read) if !is_missing(&item) => return Ok((read, None)),

@@ -1,5 +1,5 @@
-//! Rules of the source trees that a machine can keep: layers, rings, sizes, hash maps. Sources are read as
-//! tokens, so that no way to write a path escapes.
+//! Rules of the source trees that a machine can keep: layers, rings, tokens, sizes, widths, hash maps.
+//! Sources are read as tokens, so that no way to write a path escapes.
 
 mod imports;
 mod tree;
@@ -11,7 +11,7 @@ use imports::Names;
 use proc_macro2::TokenTree;
 use tree::{Module, modules, modules_of};
 
-/// The engine: lower layers first; a module may name only modules of its own and lower layers.
+/// The engine: lower layers first. A module may name only its own room and rooms of lower layers.
 const ENGINE: [(&str, u32); 19] = [
     ("collections", 0),
     ("number", 0),

@@ -28,7 +28,7 @@ use proc_macro2::TokenStream;
 /// The number of descriptions, unless `CASES` is another one.
 const COUNT: u64 = 1000;
 
-/// Roles and arguments that declare items by themselves, and the one name of a list.
+/// Roles and arguments that declare items by themselves, and the one name in a list of inputs.
 const DECLARE: [&str; 9] =
     ["point", "body", "holonomic", "nonholonomic", "eliminate", "event", "jacobians", "analysis", "motor"];
 

@@ -1,4 +1,4 @@
-//! The comparison of an emitted quantity with the oracle: the only place with a tolerance.
+//! The comparison of emitted quantities with the oracle, and its tolerance.
 
 use crate::number::Tracked;
 
@@ -16,8 +16,8 @@ pub struct Agreement {
     /// The largest error relative to the largest component, cancelled components aside.
     pub error: f64,
     pub components: usize,
-    /// Components in which the oracle has lost so many digits that a relative error says nothing. Zero is one
-    /// of them: it has no digits.
+    /// Components in which the oracle has lost so many digits that a relative error says nothing. Zeros are
+    /// not counted: they have no digits.
     pub cancelled: usize,
     /// Components with an error beyond what the oracle's rounding errors account for.
     pub beyond: usize,

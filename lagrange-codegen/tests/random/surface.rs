@@ -42,7 +42,7 @@ pub fn unsolved(run: &Interpreter<'_>, expected: &Quantities) -> Result<Agreemen
     ] {
         let (found, sizes) = (field(&residuals, part)?, field(&residuals, sizes)?);
         agreements.push((name, compare(name, &found, wanted)?));
-        // A size is that of all summands together.
+        // No value is larger than the size of all its summands together.
         let bounds = found.iter().zip(&sizes).all(|(value, size)| value.abs() <= size * (1.0 + 1e-9));
         if sizes.len() != found.len() || !bounds {
             return Err(format!("{name}: {found:?} beside sizes {sizes:?}"));

@@ -33,7 +33,7 @@ pub type End<const N: usize> = Result<State<f64, N>, MotionError<f64>>;
 
 /// Numbers between −1 and 1 that fill the square evenly, without rounding.
 pub fn spread(index: u64) -> [f64; 2] {
-    // The plastic number's powers, as fractions of 2⁶⁴ (Roberts 2018).
+    // 1/p and 1/p² of the plastic number p, as fractions of 2⁶⁴ (Roberts 2018).
     [0xC13F_A9A9_02A6_328F_u64, 0x91E1_0DA5_C79E_7B1D].map(|step| {
         let place = index.wrapping_add(1).wrapping_mul(step) >> 11;
         place as f64 * (1.0 / (1_u64 << 52) as f64) - 1.0

@@ -73,7 +73,7 @@ pub enum FoundBy {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum EquilibriumError {
-    /// The constraints cannot be met near the guess, or something is not finite.
+    /// The constraints cannot be met near the guess, a mass is negative, or something is not finite.
     Constraints(Cause),
     /// This constraint moves: it does not let the system rest.
     MovingConstraint {

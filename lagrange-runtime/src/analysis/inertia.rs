@@ -43,7 +43,7 @@ impl<R: Real, const N: usize> InertiaForces<R, N> {
 /// Refuses negative masses in statics, where masses of zero do no harm.
 ///
 /// The mass matrix of solvable equations of motion may have any signature. If they are not solvable, M + √ε
-/// diag M tells a negative mass from a missing one.
+/// diag M, with ones for zeros of the diagonal, tells a negative mass from a missing one.
 ///
 /// # Errors
 /// [`Cause::SingularMassMatrix`] with the coordinate.
@@ -109,7 +109,7 @@ const HALVINGS: usize = 40;
 /// in v.
 ///
 /// # Errors
-/// [`Cause::SingularMassMatrix`], or [`Cause::NoVelocities`] where no velocities are found.
+/// [`Cause::SingularMassMatrix`], [`Cause::NotFinite`], or [`Cause::NoVelocities`] where none are found.
 pub fn velocities<R: Real, const N: usize>(
     at: impl Fn(&[R; N]) -> ([[R; N]; N], [R; N]),
     t: R,
@@ -141,7 +141,7 @@ pub fn velocities<R: Real, const N: usize>(
             }
             share *= R::from_f64(0.5);
         }
-        // A residual that cannot be improved is a rounding error of the momenta, or of the velocities.
+        // The search ends well where what is left is a rounding error of the momenta, or of the velocities.
         let sum = |values: &[R; N]| values.iter().fold(R::zero(), |sum, &x| sum + x.abs());
         let rounding = R::epsilon() * R::from_f64(64.0);
         let settled = size <= (sum(p) * rounding).largest()
@@ -183,7 +183,7 @@ mod tests {
 
     #[test]
     fn momenta_that_no_velocities_have_are_an_error() {
-        // p = v − v³ is below 0.385.
+        // p = v − v³ is below 0.385 for v from −1 to 1.
         let at = |v: &[f64; 1]| ([[1.0 - 3.0 * v[0] * v[0]]], [v[0] - v[0].powi(3)]);
         assert!(velocities(at, 2.5, &[0.3], false).is_ok());
         assert_eq!(velocities(at, 2.5, &[f64::NAN], false).unwrap_err().t, 2.5);

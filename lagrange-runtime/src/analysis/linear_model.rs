@@ -43,8 +43,8 @@ pub struct LinearModel<R, const N: usize, const K: usize> {
     drift: [SVector<R, N>; 2],
 }
 
-/// Vectors that span a space of motions: of unit kinetic energy ½ zᵀ M z = ½ and orthogonal in M where M is
-/// positive on that space; without constraints the coordinates themselves.
+/// Vectors z that span a space of motions: with zᵀ M z = 1 and orthogonal in M where M is positive on that
+/// space; without constraints the coordinates themselves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Basis<R, const N: usize> {
     vectors: Stored<SMatrix<R, N, N>>,
@@ -227,14 +227,15 @@ impl<R: Real, const N: usize, const K: usize> LinearModel<R, N, K> {
         (D == self.order()).then(|| SVector::from_fn(|i, _| entry(i)))
     }
 
-    /// M, C, G or K on the velocities that the constraints allow: Zᵀ X Z, of which the leading rows and
-    /// columns count.
+    /// M, C, G or K between the motions that the constraints allow: Yᵀ X Z with Y the basis of
+    /// [`LinearModel::velocities`] and Z that of [`LinearModel::displacements`]. The leading rows and columns
+    /// count.
     #[must_use]
     pub fn on_tangent_space(&self, matrix: &SMatrix<R, N, N>) -> SMatrix<R, N, N> {
         self.velocities.vectors.transpose() * matrix * *self.displacements.vectors
     }
 
-    /// The same with other numbers.
+    /// The same model in other numbers.
     #[cfg(feature = "std")]
     pub(super) fn map<T: Real>(&self, number: impl Fn(R) -> T + Copy) -> LinearModel<T, N, K> {
         let basis = |basis: &Basis<R, N>| Basis {

@@ -104,7 +104,7 @@ impl<R: Real, const N: usize, const K: usize, const C: usize> Variation<R, N, K,
     }
 }
 
-/// Where a body of generated code is evaluated: a state with accelerations `a`, multipliers and inputs.
+/// Where a generated function is evaluated: a state with accelerations `a`, multipliers and inputs.
 #[derive(Clone, Copy, Debug)]
 pub struct Place<'a, R, const N: usize, const K: usize, const C: usize> {
     /// Time \[s].
@@ -209,7 +209,8 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     ///
     /// # Errors
     /// [`EquilibriumError`]: constraints that cannot be met or that move, a constraint whose gradient turns
-    /// with time, energy that falls without end, or no equilibrium in reach.
+    /// with time, a negative mass, a coordinate with too few digits, energy that falls without end, or no
+    /// equilibrium in reach.
     #[inline]
     fn equilibrium(
         &self,
@@ -233,7 +234,8 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     /// [`equilibrium`](Self::equilibrium).
     ///
     /// # Errors
-    /// [`EquilibriumError`]: constraints that cannot be met or that move, or no equilibrium in reach.
+    /// [`EquilibriumError`]: constraints that cannot be met or that move, a negative mass, a coordinate with
+    /// too few digits, forces that fade on the way, or no equilibrium in reach.
     #[inline]
     fn stationary_point(
         &self,
@@ -318,7 +320,8 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     /// and the part of them that the constraints cannot bear.
     ///
     /// # Errors
-    /// Constraints without a solution, with the time; a value that is not finite.
+    /// A singular mass matrix under constraints, or constraints without a solution, with the time; a value
+    /// that is not finite.
     #[inline]
     fn inverse_dynamics(
         &self,

@@ -26,15 +26,15 @@ pub(super) struct Frame<'a, R, const N: usize, const C: usize> {
     pub saddle: &'a Saddle<R, N, C>,
     /// Squares of the sizes of the coordinates.
     pub sizes: &'a [R; N],
-    /// Displacements and velocities that the constraints allow, of unit size.
+    /// Displacements that the holonomic constraints allow, of unit size.
     pub displacements: &'a [[R; N]],
-    /// The same for velocities.
+    /// Velocities that all constraints allow, of unit size.
     pub velocities: &'a [[R; N]],
     /// The square of a rate \[1/s²] that is lost in the rounding errors of the stiffness.
     pub least: R,
 }
 
-/// A constraint whose gradient turns at `place`, by its explicit dependence on time.
+/// The constraint whose gradient turns fastest at a position, by its explicit dependence on time.
 ///
 /// There A a − γ of a constraint on coordinates is vᵀ(∂²f/∂q²)v + 2 (∂A/∂t) v + ∂²f/∂t² beside A a, and of
 /// one on velocities (∂B/∂t) v + (∂g/∂q) v + ∂b/∂t with g = B v + b. So its derivatives at rest without
@@ -99,7 +99,7 @@ where
     found
 }
 
-/// The largest of some rates in units of the slopes.
+/// The constraint with the largest of some rates in units of the slopes; `None` if all are zero.
 pub(super) fn worst<R: Ordered, const C: usize>(rates: &[R; C], slopes: &[R; C]) -> Option<usize> {
     let shares = rates.iter().zip(slopes).map(|(rate, &slope)| rate.abs() / slope).enumerate();
     let positive = shares.filter(|(_, share)| share.is_positive());

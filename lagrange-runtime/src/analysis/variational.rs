@@ -62,8 +62,8 @@ fn placed<T>(content: T) -> Place<T> {
     return content;
 }
 
-/// A motion with its derivatives, by the method of the system, [`Jets`](crate::Jets) or
-/// [`Dop853`](crate::Dop853).
+/// A motion with its derivatives, by the method of the system: [`Jets`](crate::Jets) or
+/// [`Dop853`](crate::Dop853), with contacts or dry friction the one that follows switches by these.
 pub struct VariationalMotion<
     'a,
     S,
@@ -206,7 +206,7 @@ where
     /// system with contacts on those that are closed.
     ///
     /// # Errors
-    /// What is wrong with the constraints at the start.
+    /// What is wrong with constraints, contacts or frictions at the start.
     pub fn motion(
         &self,
         start: State<S::Scalar, N>,
@@ -276,7 +276,7 @@ where
         self
     }
 
-    /// Steps that one call of `advance_to` may take, rejected ones included, for every eight directions.
+    /// Steps that one call of `advance_to` may take, rejected ones included, for each `D` directions.
     #[must_use]
     pub fn with_max_steps(mut self, steps: u64) -> Self {
         self.simulation.limits().attempts = steps;
@@ -334,7 +334,7 @@ where
         self.transition
     }
 
-    /// The cost of the motion so far: every eight directions take steps of their own.
+    /// The cost of the motion so far: each `D` directions take steps of their own.
     #[must_use]
     pub fn steps(&self) -> Steps {
         let (first, others) = (self.simulation.steps(), self.counts);

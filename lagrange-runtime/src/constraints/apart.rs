@@ -17,7 +17,8 @@ use crate::system::state::State;
 /// of the necessary one: a retraction within the tolerance changes the distance by less.
 const AWAY: f64 = 2.0;
 
-/// Corrections of a level. Each leaves the square of the first.
+/// Corrections of a level. With the factors of the start, each leaves about the same share of what was left
+/// before: the relative size of the first correction.
 const CORRECTIONS: usize = 8;
 
 /// Moves a state that a step has left beside the constraints onto them.

@@ -18,7 +18,7 @@ const BESIDE: f64 = 16.0;
 /// determine the state. With `inputs` the factors of the retraction give the accelerations as well.
 ///
 /// # Errors
-/// The constraint that stays violated.
+/// The constraint that stays violated or contradicts others, [`Cause::Undetermined`], [`Cause::NotFinite`].
 #[inline]
 pub fn land<S, const N: usize, const K: usize, const C: usize>(
     system: &S,

@@ -110,7 +110,7 @@ pub struct Equations<P: SaddlePoint<R, N, C>, R, const N: usize, const C: usize>
     pub gradients: P::Gradients,
     /// All forces except those of constraints, minus the bias.
     pub forces: [R; N],
-    /// γ: the value of A a for which the second derivatives of the constraints vanish.
+    /// γ: the value of A a for which d²f/dt², or dg/dt of a nonholonomic constraint, vanishes.
     pub gamma: [R; C],
 }
 

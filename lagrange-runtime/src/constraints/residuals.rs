@@ -101,7 +101,8 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         }
     }
 
-    /// The constraint that the state is furthest from; that of a parameter which is no number cannot be told.
+    /// The constraint that the state is furthest from. [`Cause::NotFinite`] where a residual is no number,
+    /// since the constraint cannot be told then.
     #[cold]
     pub(crate) fn cause(&self, level: Level, slopes: &[R; C]) -> Cause {
         if !self.values(level).iter().all(|value| value.is_finite()) {
@@ -117,8 +118,8 @@ impl<R: Real, const C: usize> Residuals<R, C> {
     }
 }
 
-/// |value| / size; zero for zero.
+/// |value| / size. Zero over zero is zero, in single precision NaN, which [`worst`] passes over.
 fn relative<R: Real>(value: R, size: R) -> R::Lane {
-    // Beside the smallest number a zero size divides nothing by zero.
+    // The smallest normal double keeps a size of zero from being a divisor.
     (value.abs() / (size + R::from_f64(f64::MIN_POSITIVE))).largest()
 }

@@ -45,7 +45,7 @@ const NEAR: usize = 16;
 /// Corrections of a rough start.
 const ROUGH: usize = 60;
 
-/// The largest number of halvings of a correction of a rough start.
+/// How many shares of a correction of a rough start are tried, each half of the one before.
 const HALVINGS: usize = 12;
 
 /// The longest correction of a rough start, in units of its distance from the constraints. Where constraints
@@ -129,8 +129,8 @@ where
     /// Newton's corrections of one level.
     ///
     /// # Errors
-    /// The constraint that stays violated or contradicts others; at a rough start also the defect of the
-    /// factors.
+    /// The constraint that stays violated or contradicts others, [`Cause::Undetermined`],
+    /// [`Cause::NotFinite`]; at a rough start also the defect of the factors.
     #[inline]
     pub(crate) fn level(&mut self, system: &S, level: Level, from: From) -> Result<(), Cause> {
         match from {
@@ -285,10 +285,9 @@ where
     }
 
     /// Whether the correction that is left for the velocities is within the effect of rounding errors of the
-    /// constraint functions. Then the velocities that a step has brought are the better ones. Beside a
-    /// configuration in which constraints depend on each other these rounding errors are large. If rows do
-    /// depend on each other, a correction shows nothing, and a velocity that lacks half of its digits is
-    /// another one.
+    /// constraint functions. Then the velocities that a step has brought are the better ones. This effect is
+    /// large beside a configuration in which constraints depend on each other. A correction of more than half
+    /// of the digits is never left out, since it leads to another velocity.
     #[cold]
     #[inline(never)]
     fn is_blurred(&self, system: &S) -> bool {
@@ -379,7 +378,7 @@ where
         independence
     }
 
-    /// The scale of the residuals that are corrected.
+    /// The largest coordinate, or velocity, in the kinetic metric.
     pub(super) fn extent(&self, level: Level) -> S::Scalar {
         self.metric.extent(if level == Level::Positions { &self.state.q } else { &self.state.v })
     }

@@ -1,4 +1,4 @@
-//! Queries of the factors of M and A. Only generated code calls them.
+//! Queries of the factors of M and A, most of them for generated code alone.
 
 use nalgebra::SMatrix;
 use num_traits::{One, Zero};

@@ -22,8 +22,9 @@ use crate::system::state::State;
 ///   rows are only close: the check of the step's end sees the effect of poles there.
 /// * Rows that depend on each other wherever the constraints hold are independent beside them. Together they
 ///   demand there what no motion can do. The nearest state on the constraints serves there too.
-/// * In a configuration where rows lose their independence for a moment, they are interpolated between states
-///   before and after it, along the velocity: accelerations of the motion that goes straight on.
+/// * In a configuration where rows lose their independence for a moment, the accelerations are interpolated
+///   between states before and after it, along the velocity. They are those of the motion that goes straight
+///   on.
 #[inline]
 pub fn accelerations<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
@@ -114,8 +115,8 @@ where
     !nearness.is_clear() && (!own.saddle.independence().is_clear() || nearness.is_determined())
 }
 
-/// The state whose derivatives go with [`accelerations`]: the nearest one on the constraints where these are
-/// taken there.
+/// The state whose derivatives go with [`accelerations`]: of several constraints the nearest state on them,
+/// where the accelerations are taken there.
 pub(crate) fn settled_state<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     constants: &S::Constants,

@@ -21,7 +21,8 @@ pub(super) const SHARE: f64 = 1.0 / 16.0;
 /// constraints depend on each other, a retraction would turn such a digit into a large change.
 ///
 /// # Errors
-/// The constraint that is violated, and constraints without a gradient.
+/// The constraint that is violated or contradicts others, what is wrong with masses or gradients, and
+/// [`Cause::NotFinite`].
 #[cold]
 pub fn begin<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
@@ -84,7 +85,9 @@ where
 
 /// Whether all constraints have finite values at a state, and do not contradict each other there.
 ///
-/// # Errors [`Cause::NotFinite`], [`Cause::VanishingGradient`], [`Cause::Contradictory`].
+/// # Errors
+/// [`Cause::NotFinite`], [`Cause::VanishingGradient`], [`Cause::SingularMassMatrix`],
+/// [`Cause::Contradictory`].
 #[inline]
 pub fn sound<S, const N: usize, const K: usize, const C: usize>(
     system: &S,

@@ -1,4 +1,4 @@
-//! Parts of a change that the constraints leave open, and parts that a retraction takes back.
+//! The part of a change that the constraints leave open.
 
 use super::Surface;
 use crate::linear::{Gradients, SaddlePoint};

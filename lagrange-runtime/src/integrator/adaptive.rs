@@ -1,4 +1,4 @@
-//! [`Adaptive`]: methods that choose their own steps, and Dormand–Prince as one of them.
+//! Dormand–Prince 8(5,3) as a method that chooses its own steps ([`Adaptive`]).
 
 mod passage;
 mod reach;

@@ -1,9 +1,9 @@
 //! Dense output of Dormand–Prince 8(5,3): a polynomial of order 7 through a step.
 //!
 //! Degree 7 in θ = (t − t₀)/h, in nested form around both ends of the step, so that values and slopes join
-//! from step to step. Costs three further evaluations, made only if a sample is asked for. Error O(h⁸) in
-//! each step, of the order of the tolerance. Hairer, Nørsett, Wanner, "Solving ODEs I", 2nd ed., II.6 and
-//! II.10.
+//! from step to step. Costs three further evaluations, four where the end was corrected after the step, made
+//! only if a sample inside the step is asked for. Error O(h⁸) in each step, of the order of the tolerance.
+//! Hairer, Nørsett, Wanner, "Solving ODEs I", 2nd ed., II.6 and II.10.
 
 use super::Field;
 use super::dop853::Dop853Memory;

@@ -58,12 +58,12 @@ pub struct Dop853Memory<R: Real, const N: usize> {
     pub(crate) slope: Option<Slope<R, N>>,
     /// Length of the next step; zero if not known.
     length: R,
-    /// Whether the last step was within tolerance except for rounding errors.
+    /// Whether the last step met the tolerance only without its [`unavoidable`] errors.
     is_noisy: bool,
     /// Polynomial through the step, once a sample has asked for it.
     pub(crate) dense: Option<Dense<R, N>>,
     pub(crate) counts: Steps,
-    /// The footing of a constrained motion; `None` before the first step.
+    /// How well constraints determine the end; `None` without any, and before a first step from a new start.
     pub(crate) ground: Option<Ground<R>>,
     /// The target of a step that series have taken.
     pub(crate) passage: Option<R>,
@@ -124,7 +124,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         }
     }
 
-    /// Takes in a step from the `end` of the last one that series have taken towards a `target`.
+    /// Records a step from the end of the last one to `end` that series have taken towards a `target`.
     pub(crate) fn pass(&mut self, end: State<R, N>, target: R) {
         let Self { end: start, length, is_noisy, counts, .. } = *self;
         *self = Self { start, length, is_noisy, counts, passage: Some(target), ..Self::new(end) };
@@ -148,7 +148,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         (a <= t && t <= b) || (b <= t && t <= a)
     }
 
-    /// Whether `t` lies beyond the end of the step in its direction; true for a step of no length.
+    /// Whether `t` lies at or beyond the end of the step in its direction; true for a step of no length.
     pub(crate) fn ahead(&self, t: R) -> bool {
         let (a, b) = (self.start.state.t, self.end.state.t);
         if a <= b { t >= b || a == b } else { t <= b }
@@ -204,7 +204,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         let mut cause = Cause::StepTooSmall;
         let mut repeated = false;
         let resolution = Self::resolution(t);
-        // Whether to shorten a step so short that three times its length would not change its numbers.
+        // A step this short hardly changes a number. Errors that do not fall with it are those of jumps.
         let mut attempts_here = Attempts::new((R::from_f64(3.0) * resolution).largest(), relative(limits));
         loop {
             let last = land && R::from_f64(1.01) * length >= left.abs();
@@ -307,7 +307,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         let tried = Tried { from, to: &end.state, slope: &slopes[0], h, estimates: [&fifth, &third] };
         let mut error = tried.error(limits, &[[R::Lane::zero(); N]; 2]);
         let mut is_noisy = false;
-        // A smooth motion needs one shorter attempt, and no search for another cause.
+        // Of a smooth motion a shorter attempt is enough, without a search for another cause.
         if error > R::one() && error.is_finite() && (self.is_noisy || attempts.any_refused()) {
             is_noisy = true;
             error = attempts.avoidable_error(f, limits, &tried, &mut self.counts);
@@ -356,7 +356,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         Cause::NotFinite
     }
 
-    /// The slope at `end`, from which everything starts.
+    /// Evaluates the slope at `end`, and keeps it.
     #[cold]
     pub(super) fn slope_at_end<F>(&mut self, f: &F) -> Result<Slope<R, N>, Cause>
     where

@@ -25,10 +25,11 @@ use stages::{Stages, Start};
 
 /// Gauss collocation with `STAGES` stages, of order 2 `STAGES`: [`Gauss4`], [`Gauss6`] and [`Gauss8`].
 ///
-/// For systems with generated derivatives ([`Linearized`]). A step costs one evaluation of the derivatives, a
-/// complex factorisation of size N for each pair of stages, and `STAGES` evaluations of the accelerations in
-/// each of two to eight corrections, or more where a step is long compared with the motion. A step whose
-/// equations cannot be solved is [`Cause::NotConverged`]; the motion may go on with a shorter one.
+/// For systems with generated derivatives ([`Linearized`]). A step costs one evaluation of the derivatives,
+/// one complex factorisation of size N with two stages or two with three and four, and `STAGES` evaluations
+/// of the accelerations in each of two to eight corrections. It costs more where a step is long compared with
+/// the motion. A step whose equations cannot be solved is [`Cause::NotConverged`]; the motion may go on with
+/// a shorter one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gauss<const STAGES: usize>;
 

@@ -30,7 +30,7 @@ pub struct JetMemory<C, T, R, const N: usize, const ORDER: usize> {
     series: Series<R, N, ORDER>,
     /// Residues of compensated summation, of coordinates and velocities.
     residue: ([R; N], [R; N]),
-    /// The largest number of independent constraints that a step has started with.
+    /// The largest number of independent constraints that steps have found.
     rank_so_far: Option<usize>,
 }
 

@@ -118,7 +118,7 @@ pub(crate) struct Landing<R, const N: usize> {
     pub(crate) end: State<R, N>,
     pub(crate) footing: Footing<R, N>,
     sizes: Sizes<R>,
-    /// Whether corrections and defect are within the tolerance.
+    /// Whether correction, defect and energy are within the tolerance, or beyond it without harm.
     pub(crate) is_right: bool,
 }
 
@@ -209,8 +209,9 @@ where
         is_within(change, footing, self.bounds(&self.sizes(self.from, span.abs(), footing)))
     }
 
-    /// Whether a change leaves half of all digits of the state: a start is as good as its numbers, and those
-    /// of one beside a configuration in which constraints depend on each other lie beside the motion.
+    /// Whether a change leaves half of all digits of the state before the step. The numbers of a start are
+    /// rounded. Beside a configuration in which constraints depend on each other, roundings put it that far
+    /// off the motion.
     pub(crate) fn is_half(
         &self,
         change: &State<S::Scalar, N>,
@@ -240,7 +241,7 @@ where
         self.obeys_with(defect, landing, num_traits::Zero::zero())
     }
 
-    /// The same with other rounding errors.
+    /// The same with further rounding errors of the accelerations.
     fn obeys_with(
         &self,
         defect: &Defect<S::Scalar, N>,

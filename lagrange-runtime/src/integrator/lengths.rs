@@ -67,7 +67,7 @@ pub(crate) struct Lengths<R> {
     best: Option<(R, R)>,
 }
 
-/// The independence σ of constraints that is enough at the end of a step which `begun` with another one.
+/// The independence σ of constraints that is enough at the end of a step. At its start it was `begun`.
 ///
 /// Roundings move a velocity by ε/σ². So an end is good enough where that is the tolerance, or where half is
 /// left of what the step started with.
@@ -78,8 +78,8 @@ pub(crate) fn enough<R: Real>(begun: R, tolerance: R) -> R {
 }
 
 impl<R: Ordered> Lengths<R> {
-    /// The lengths for a step of a `measured` error that begins with `here`, at a tolerance. `base` is tried
-    /// first.
+    /// The lengths for a step that begins with independence `here`, at a tolerance. `measured` and `natural`
+    /// are those of the fields. `base` is tried first.
     ///
     /// An end is good enough where [`enough`] says so; and one that leaves the configuration in which
     /// constraints depend on each other is better than any before it. Where no length ends so well, the best
@@ -103,8 +103,8 @@ impl<R: Ordered> Lengths<R> {
         }
     }
 
-    /// The same for a motion that is to go so far. A polynomial in time bounds no step, and where numbers
-    /// have grown beyond what rounding knows of them, constraints seem to depend on each other.
+    /// The same, with the time to go as a further length. The error of a polynomial in time bounds no step,
+    /// and at the end of a vast step numbers are so large that constraints seem to depend on each other.
     pub(crate) fn on_the_way(mut self, left: R) -> Self {
         self.left = Some(left);
         self

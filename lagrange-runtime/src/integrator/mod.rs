@@ -1,7 +1,8 @@
 //! Methods of integration. One method, one file; coefficients are data in `tableau`.
 //!
-//! A fixed-step method implements [`FixedStep`] and runs in a [`Stepper`](crate::Stepper). Dormand–Prince
-//! 8(5,3) carries error control and dense output and runs in a [`Simulation`](crate::Simulation).
+//! A fixed-step method implements [`FixedStep`] and runs in a [`Stepper`](crate::Stepper). A method with
+//! error control and dense output implements [`Adaptive`] and runs in a [`Simulation`](crate::Simulation):
+//! [`Jets`], Taylor series for smooth systems, and [`Dop853`], Dormand–Prince 8(5,3).
 
 pub(crate) mod adaptive;
 pub(crate) mod dense;

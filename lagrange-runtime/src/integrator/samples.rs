@@ -88,7 +88,7 @@ system!(
     0.5 * v[0] * v[0] + 0.0 * q[0]
 );
 
-/// The pericentre of an orbit with excentricity `e`; one period is 2π.
+/// The pericentre of an orbit with eccentricity `e`; one period is 2π.
 pub(crate) fn pericentre(e: f64) -> State<f64, 2> {
     State::new([1.0 - e, 0.0], [0.0, ((1.0 + e) / (1.0 - e)).sqrt()])
 }

@@ -36,7 +36,7 @@ pub(crate) fn combine<R: Real, const N: usize, const M: usize, const W: usize, c
     sum
 }
 
-/// `from` + h · `slope`, without its residue: coordinates and velocities of a stage.
+/// `from` + h · `slope`, without compensated summation: coordinates and velocities of a stage.
 #[inline(always)]
 pub(crate) fn reach<R: Real, const N: usize>(
     from: &State<R, N>,

@@ -6,8 +6,8 @@
 //! held.
 //!
 //! Where the last stage is a kick, its accelerations serve the first kick of the next step, if that starts at
-//! the same q and t with the same inputs. The sums of all methods but the leapfrog are compensated, so that
-//! rounding errors do not add up over long runs.
+//! the state where this one ended, with the same inputs. The sums of all methods but the leapfrog are
+//! compensated, so that rounding errors do not add up over long runs.
 
 use num_traits::Zero;
 

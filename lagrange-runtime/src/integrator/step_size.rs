@@ -1,5 +1,5 @@
-//! Step size control of Dormand–Prince 8(5,3): the error of a step, the next step, and the least of times and
-//! tolerances.
+//! Step size control of Dormand–Prince 8(5,3): the error of a step, the next step, the smallest time and the
+//! smallest tolerance.
 //!
 //! Next step h · 0.9 · error^(−1/8), within factors 1/3 and 6. Hairer, Nørsett, Wanner, "Solving ODEs I",
 //! 2nd ed., II.4 and II.10. The estimate presumes smooth accelerations; at a jump it only shortens steps.
@@ -21,8 +21,8 @@ pub(crate) fn smallest<R: Ordered>() -> R {
     R::epsilon().powi(4)
 }
 
-/// The least tolerance: 1e-290, or the least power of ten of narrower arithmetic whose inverse is a number.
-/// A tolerance of zero would divide by it.
+/// The smallest tolerance: 1e-290 in `f64`, 1e-37 in `f32`, ε² in narrower arithmetic. Its reciprocal is
+/// finite. It takes the place of an absolute tolerance of zero, since errors are divided by tolerances.
 #[inline]
 pub(crate) fn least<R: Ordered>() -> R {
     let is_usable = |x: R| x.is_positive() && x.recip().is_finite();
@@ -36,8 +36,8 @@ pub(crate) fn least<R: Ordered>() -> R {
     }
 }
 
-/// Error over tolerance of a step, from the sums of squares over `n` numbers of its estimates of orders 5 and
-/// 3 in tolerances.
+/// The error of a step in tolerances. `fifth` and `third` are its estimates of orders 5 and 3: sums over `n`
+/// numbers of the squares of errors in tolerances.
 #[inline]
 pub(crate) fn error<R: Ordered>(fifth: R, third: R, n: usize) -> R {
     let both = fifth + R::from_f64(0.01) * third;

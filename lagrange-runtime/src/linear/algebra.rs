@@ -176,7 +176,7 @@ pub fn rotation_matrix<T: Turned>(turned: &T) -> T::Matrix {
     turned.rotation_matrix()
 }
 
-/// The angle \[rad] of a rotation of the plane, in (−π, π].
+/// The angle \[rad] of a rotation of the plane, in \[−π, π].
 #[inline]
 pub fn angle<R: Real, T: Turned<Matrix = Rotation2<R>>>(turned: &T) -> R {
     let rotation = turned.rotation_matrix();

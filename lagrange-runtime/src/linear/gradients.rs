@@ -57,7 +57,7 @@ impl<R: Real, const N: usize, const C: usize> Gradients<R, N, C> for [[R; N]; C]
     }
 }
 
-/// A without the entries that are always zero: `A` entries are left.
+/// A without the entries that are always zero. The parameter `A` is the number of entries that are left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SparseRows<R, const A: usize> {
     pattern: &'static Pattern,

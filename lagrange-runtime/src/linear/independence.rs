@@ -72,7 +72,7 @@ impl<R: Real> Independence<R> {
     }
 
     /// Whether more is determined than in `other`: more rows are independent, or as many rows are and their
-    /// distance is larger by more than `least`.
+    /// distance is above `least` here and not in `other`.
     pub(crate) fn improves(&self, other: &Self, least: R) -> bool {
         let well = |this: &Self| (this.least - least).is_positive();
         self.rank > other.rank || self.rank == other.rank && well(self) && !well(other)

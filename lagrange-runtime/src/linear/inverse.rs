@@ -90,7 +90,7 @@ impl<R: Real, const N: usize> Inverse<R, N> {
         x
     }
 
-    /// Whether all entries are numbers: a singular matrix has none.
+    /// Whether all entries on the diagonal are finite. Where the matrix is singular, some are not.
     #[inline]
     #[must_use]
     pub fn is_finite(&self) -> bool {

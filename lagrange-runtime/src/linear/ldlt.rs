@@ -1,6 +1,6 @@
 //! M = L D Lᵀ of a symmetric positive definite matrix, L unit lower triangular, D diagonal.
 //!
-//! Column k leaves the rest of the lower triangle as row i ← row i − L\[i]\[k] · column k: the inner loop
+//! Step k subtracts from each later row i of the lower triangle L\[i]\[k] · column k. The inner loop
 //! runs over contiguous memory and has no sum to reassociate, so it vectorises. Cost: n³/6 multiplications to
 //! factor (n³/3 flops), n² to solve. Backward stable without pivoting (Higham, "Accuracy and Stability of
 //! Numerical Algorithms", 2nd ed., ch. 10). Not for indefinite matrices: those stop at the first pivot that

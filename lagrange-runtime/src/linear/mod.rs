@@ -1,12 +1,13 @@
-//! Factorisations of small dense matrices of fixed size: factor once, solve often, never allocate. Vector
-//! functions for any scalar stand in [`algebra`], large tables in [`stored`].
+//! Factorisations of small matrices of fixed size: factor once, solve often. Nothing allocates but, with
+//! `std`, `SingularValues` and a [`Sparse`] whose rows depend on each other. Vector functions for any scalar
+//! stand in [`algebra`], large tables in [`stored`].
 //!
 //! [`Ldlt`] is for symmetric positive definite matrices (the mass matrix of any T), [`Lu`] for the rest (a
 //! user's own L may have an indefinite ∂²L/∂v²). Both report the index of the pivot at which they stop.
 //! `Rows` solves for many columns at once. [`Inverse`] is made from the factors of a matrix that is not
 //! formed. [`Saddle`], [`Diagonal`] and [`Sparse`] solve for velocities and multipliers of a constrained
-//! system together, redundant constraints included; [`Schur`] is what is left of such a system once the
-//! velocities are eliminated.
+//! system together, redundant constraints included; [`Switched`] does so with rows that can be switched off.
+//! [`Schur`] is what is left of such a system once the velocities are eliminated.
 //!
 //! Loops over a triangle run to `i + 1` and not to `=i`: the end of an inclusive range is a flag of its own,
 //! by which compilers for small processors and for graphics processors do not see that indices are within

@@ -2,13 +2,13 @@
 //!
 //! Velocities are eliminated from the last to the first. What hangs on a link is declared after it, so a
 //! tree fills no entry: the zeros of M, which are passed over, are zeros of L (Featherstone, *Rigid Body
-//! Dynamics Algorithms*, section 6.3). All columns are solved for side by side, in vectors of a row: what one
-//! waits for the others do not, and nothing is put in another order before.
+//! Dynamics Algorithms*, section 6.3). All columns are solved for side by side, in vectors of a row. So while
+//! one column waits for a result another is computed, and rows stay in the order in which they are stored.
 
 use crate::number::elements::array;
 use crate::number::real::Real;
 
-/// The longest vectors of doubles.
+/// The number of doubles in the longest vectors.
 const LANES: usize = 8;
 
 /// The factors of a symmetric positive definite matrix.
@@ -141,12 +141,12 @@ impl<R: Real, const N: usize> Rows<R, N> {
     }
 }
 
-/// A row that begins where a line of the cache begins: a vector that crosses one costs two.
+/// A row that begins where a line of the cache begins: a vector that lies in two lines takes two accesses.
 #[derive(Clone, Copy)]
 #[repr(C, align(64))]
 struct Aligned<R, const W: usize>([R; W]);
 
-/// The same of at least the first `count` entries.
+/// row ← row − l · other, in at least the first `count` entries.
 #[inline(always)]
 fn subtract_first<R: Real, const W: usize>(count: usize, row: &mut [R; W], l: R, other: &[R; W]) {
     let ((blocks, rest), (others, other_rest)) = (row.as_chunks_mut::<LANES>(), other.as_chunks::<LANES>());
@@ -241,7 +241,7 @@ mod tests {
 
     #[test]
     fn a_pivot_that_is_nothing_but_rounding_is_refused() {
-        // What is left of the first entry is ε: half of the bound for two pivots.
+        // What is left of the first entry is ε: a quarter of the bound for two pivots.
         assert!(factors(&[[1.0, 1.0], [1.0, 1.0 + f64::EPSILON]]).is_none());
         assert!(factors(&[[1.0, 1.0], [1.0, 1.0 + 32.0 * f64::EPSILON]]).is_some());
     }

@@ -74,7 +74,8 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
     /// A.
     type Gradients: Gradients<R, N, C> + Clone;
 
-    /// (v, κ) with M v − Aᵀ κ = `r` and A v = `y`; NaN where there is a [`defect`](Self::defect).
+    /// (v, κ) with M v − Aᵀ κ = `r` and A v = `y`; not finite where there is a [`defect`](Self::defect) other
+    /// than a [negative](Self::negative) mass or friction that jams.
     ///
     /// If rows of A are dependent, v follows from a largest set of independent rows, and κ is the shortest of
     /// all that give the same Aᵀ κ.
@@ -121,7 +122,7 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
     fn vanishing(&self) -> Option<usize>;
 
     /// Column scaling of the coordinates, which makes them comparable: 1/√M\[i]\[i] or, where that does not
-    /// exist, a unit from the entries of A; zero for a coordinate that nothing moves.
+    /// exist, a unit from other entries of M or from those of A; zero for a coordinate that nothing moves.
     fn units(&self) -> [R; N];
 }
 
@@ -196,8 +197,8 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         Self::carefully::<DEFINITE>(mass, a)
     }
 
-    /// A single row without a nonzero entry. One row cannot depend on others, so a program with one
-    /// constraint does not link the code that decides about rank.
+    /// A single row of zeros, or one with an entry that is not finite. One row cannot depend on others, so a
+    /// program with one constraint does not link the code that decides about rank.
     #[cold]
     #[inline(never)]
     fn without_gradient(a: &[[R; N]; C]) -> Self {

@@ -2,7 +2,7 @@
 
 use crate::number::elements::array;
 
-/// A reproducible source of numbers in (−1, 1): a 64-bit linear congruential generator.
+/// A reproducible source of numbers in \[−1, 1): a 64-bit linear congruential generator.
 pub(crate) struct Noise(pub u64);
 
 impl Noise {

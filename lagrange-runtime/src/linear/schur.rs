@@ -1,10 +1,10 @@
 //! The Schur complement S = A M⁻¹ Aᵀ of constrained mechanics: symmetric, positive semidefinite, singular
 //! where rows of A depend on each other.
 //!
-//! Matrices that are clearly regular are factored as L D Lᵀ in the order given. A small pivot leaves the
-//! square of A: the rows themselves, in the metric of M, are brought to triangular form by the QR
-//! factorisation that reveals their rank, and the inverse, or the generalised inverse that gives the shortest
-//! solution, is formed from that.
+//! Matrices that are clearly regular are factored as L D Lᵀ in the order given. Where a pivot is small, S is
+//! given up, since its condition number is the square of that of A. Then the rows of A themselves, in the
+//! metric of M, are brought to triangular form by the QR factorisation that reveals their rank. The inverse,
+//! or the generalised inverse that gives the shortest solution, is formed from that.
 
 use crate::number::elements::{Each, array};
 use crate::number::real::Real;
@@ -17,8 +17,9 @@ use super::saddle::vectors::{add_product, add_scaled, multiply, poison, scale, u
 
 /// A pivot below this part of its diagonal is left to the careful way.
 ///
-/// A pivot is the squared sine of the angle between a row of A and those before it, in the metric of the
-/// kinetic energy, and S is known to about Cε. So a pivot above this bound has lost three digits at most.
+/// The pivot is, as a part of its diagonal, the squared sine of the angle between a row of A and the span of
+/// those before it, in the metric of the kinetic energy. S is known to about Cε. So a pivot above this bound
+/// has lost three digits at most.
 pub(super) const LEAST: f64 = 1.0 / 1024.0;
 
 /// Up to this size the inverse is formed: one product instead of two substitutions.

@@ -27,7 +27,7 @@ impl<T> Stored<T> {
 }
 
 impl<R: Real, const A: usize, const B: usize> Stored<[[R; B]; A]> {
-    /// A table of zeros, which is not on the stack first.
+    /// A table of zeros, which with feature `std` is not on the stack first.
     #[must_use]
     pub fn zeros() -> Self {
         #[cfg(feature = "std")]

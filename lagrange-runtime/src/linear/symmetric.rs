@@ -10,8 +10,8 @@ use crate::number::real::{Ordered, larger};
 /// Sweeps over all pairs; quadratic convergence needs some six to ten.
 const SWEEPS: usize = 40;
 
-/// Brings the leading `count` rows and columns of a symmetric matrix to their diagonal, in place: its
-/// eigenvalues. The rows of `vectors` become the eigenvectors.
+/// Makes the leading `count` rows and columns of a symmetric matrix diagonal, in place. The diagonal then has
+/// the eigenvalues, and the rows of `vectors` are the eigenvectors.
 pub(crate) fn diagonalise<R: Ordered, const N: usize>(
     matrix: &mut [[R; N]; N],
     vectors: &mut [[R; N]; N],
@@ -22,7 +22,8 @@ pub(crate) fn diagonalise<R: Ordered, const N: usize>(
         *row = array(|j| if i == j { R::one() } else { R::zero() });
     }
     let most = matrix.iter().flatten().fold(R::zero(), |most, x| larger(x.abs(), most));
-    // An entry that turns no eigenvalue by a rounding of it, or by a rounding of a rounding of the largest.
+    // An entry off the diagonal counts if it exceeds this, and a rounding of the geometric mean of the two
+    // diagonal entries beside it.
     let floor = R::epsilon() * R::epsilon() * most;
     for _ in 0..SWEEPS {
         let mut turned = false;
@@ -77,7 +78,7 @@ mod tests {
     use super::*;
     use crate::linear::samples::Noise;
 
-    /// How far M − Σ λ z zᵀ and Z Zᵀ − 1 are from zero.
+    /// How far M − Σ λ z zᵀ and Z Zᵀ − 1 are from zero, and the λ.
     fn errors<const N: usize>(matrix: &[[f64; N]; N], count: usize) -> (f64, f64, [f64; N]) {
         let (mut values, mut vectors) = (*matrix, [[0.0; N]; N]);
         diagonalise(&mut values, &mut vectors, count);

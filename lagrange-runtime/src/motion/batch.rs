@@ -119,8 +119,9 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
     /// # Errors
     /// [`Cause::InvalidTime`], `InvalidTolerance` for bad arguments; [`Cause::PositionViolated`] or
     /// `VelocityViolated` for a start off the constraints in some lane; [`Cause::NotFinite`] or
-    /// `SingularMassMatrix` where some lane cannot go on, [`Cause::StepTooSmall`] where its steps vanish,
-    /// with the times of all lanes; [`Cause::TooManySteps`]. The state is then the last good one.
+    /// `SingularMassMatrix` where some lane cannot go on, [`Cause::StepTooSmall`] where its steps vanish, and
+    /// what is wrong with the constraints themselves, with the times of all lanes; [`Cause::TooManySteps`].
+    /// The state is then the last good one.
     pub fn advance_to(
         &mut self,
         t: <S::Scalar as Real>::Lane,
@@ -253,7 +254,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
     ) -> Result<S::Scalar, Cause> {
         let constants = self.system.constants();
         let mut strongest = self.strongest;
-        // All lanes as far as a series of zeros reaches.
+        // Where all lanes reach as far as a series of zeros does, their motions are polynomials in time.
         let endless = (-S::Scalar::epsilon().powi(4).ln() / S::Scalar::from_f64(orders as f64)).exp();
         let free = endless * S::Scalar::from_f64(0.99) - self.tolerated(orders, num_traits::One::one());
         let is_free = free.largest() <= num_traits::Zero::zero();
@@ -292,7 +293,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
 /// The lengths at which the terms of the highest orders fall to `bounds`, relative to the size of a component
 /// and absolute, in units. The size of a component is that of its first terms over `span`. As in a single
 /// motion, earlier terms shorten them where the last two are small by chance: see
-/// [`fall`](crate::integrator::jets::fall). `steepest` is the first rule there, by order.
+/// [`fall`](crate::integrator::jets::fall). `steepest` is the ratio of successive terms in its first rule.
 #[inline]
 fn tolerated<S: Smooth<N, K>, const N: usize, const K: usize>(
     state: &State<S::Scalar, N>,

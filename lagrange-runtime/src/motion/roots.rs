@@ -19,6 +19,9 @@
 //! Chebyshev instead of Bernstein: the change of basis costs a factor 2ⁿ in accuracy, and on parts of a step
 //! the polynomial of degree 64 is one of low degree anyway. The tests on the coefficients of a part, and the
 //! bisection, follow J. P. Boyd, "Solving Transcendental Equations" (SIAM 2014), on Chebyshev proxies.
+//!
+//! Guards whose Taylor series is known need no interpolation: `falling` finds where they first fall, with
+//! coefficients of Bernstein, which lose nothing there.
 
 mod bracket;
 mod falling;

@@ -193,9 +193,10 @@ where
     ///
     /// # Errors
     /// [`Cause::InvalidTime`], `InvalidTolerance`, `InvalidStep` for bad arguments; [`Cause::NotFinite`] for
-    /// a bad start or bad parameters; the system's own cause, `NotFinite` or [`Cause::StepTooSmall`]
-    /// where the motion cannot go on, with the time; [`Cause::TooManySteps`]. The state is then the last
-    /// good one before that.
+    /// a bad start or bad parameters; [`Cause::PositionViolated`] or `VelocityViolated` for a start off the
+    /// constraints; the system's own cause, `NotFinite`, [`Cause::StepTooSmall`] or `ToleranceTooFine` where
+    /// the motion cannot go on, with the time; [`Cause::TooManySteps`]. The state is then the last good one
+    /// before that.
     #[inline]
     pub fn advance_to(&mut self, t: S::Scalar) -> Result<&State<S::Scalar, N>, MotionError<S::Scalar>> {
         self.check(t)?;

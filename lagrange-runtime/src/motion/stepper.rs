@@ -22,7 +22,8 @@ pub struct Stepper<'a, S: System<N, K>, M: FixedStep<S, N, K>, const N: usize, c
     constants: S::Constants,
     memory: M::Memory,
     state: State<S::Scalar, N>,
-    /// The residue of rounding of the time.
+    /// The residue of rounding of the time. NaN until the start has been checked, and for masses that are not
+    /// positive.
     residue: S::Scalar,
 }
 
@@ -55,7 +56,9 @@ where
     /// # Errors
     /// [`Cause::InvalidStep`] for an `h` that is not finite; where the result is not, the cause at the state
     /// before the step: [`Cause::SingularMassMatrix`] or [`Cause::NotFinite`]; [`Cause::NotConverged`] of
-    /// an implicit method. The state is then still that one.
+    /// an implicit method. With constraints, [`Cause::PositionViolated`] or `VelocityViolated` for a start
+    /// off them, [`Cause::StepTooLong`], and what is wrong with the constraints themselves; with contacts or
+    /// dry friction, why the motion cannot go through them. The state is then still that before the step.
     #[inline]
     pub fn step(
         &mut self,
@@ -94,7 +97,8 @@ where
         Ok(&self.state)
     }
 
-    /// Refuses a start that violates constraints.
+    /// Refuses a start that violates constraints or has masses that are not positive, and removes rounding
+    /// errors across the constraints.
     #[cold]
     fn check_start(&mut self) -> Result<(), MotionError<S::Scalar>> {
         let mut start = self.state;

@@ -1,4 +1,5 @@
-//! Numbers: the scalar trait, its functions, SIMD lanes, dual numbers, the double-double.
+//! Numbers: the scalar trait, its functions, SIMD lanes, dual numbers, the double-double, numbers with bounds
+//! of their errors; arrays from functions.
 
 pub mod elements;
 mod math;

@@ -1,7 +1,8 @@
 //! [`Real`]: the scalar that equations of motion are evaluated in.
 //!
-//! The trait is open. `f32`, `f64` and [`Dual`] implement it here. Implement it for fixed point, SIMD lanes
-//! or a hardware CORDIC, and every generated method works with them. Thirteen functions are required; the
+//! The trait is open. `f32`, `f64` and [`Dual`] implement it here, and so do `Lanes` and `DoubleDouble` with
+//! features of their own. Implement it for fixed point, SIMD lanes or a hardware CORDIC, and every generated
+//! method works with them. Thirteen functions are required; the
 //! others have defaults. Where a default is weak its documentation says so, and an implementor with a better
 //! routine overrides it. The supertraits are what nalgebra needs for sums, products, `dot` and `cross`.
 
@@ -60,7 +61,7 @@ pub trait Real:
     /// Sine and cosine of an angle in radians, together.
     fn sin_cos(self) -> (Self, Self);
 
-    /// Angle of the point (`x`, `self`) in radians, in (−π, π].
+    /// Angle of the point (`x`, `self`) in radians, in \[−π, π].
     fn atan2(self, x: Self) -> Self;
 
     /// e to the power `self`.
@@ -288,7 +289,7 @@ pub trait Real:
     #[inline]
     fn step(self) -> Self {
         let [zero, one] = [Self::zero(), Self::one()];
-        // The sum is zero or NaN, without derivatives.
+        // `self + -self` is zero or NaN, without derivatives.
         one.where_positive(self, zero.where_positive(-self, (self + -self) + one))
     }
 
@@ -311,8 +312,9 @@ pub trait Real:
         (self * self + other * other).sqrt()
     }
 
-    /// `self` · `factor` + `summand`, in the way that is fast on the target and never a call. It is rounded
-    /// once where the target has the instruction and the math is the standard library's, otherwise twice.
+    /// `self` · `factor` + `summand`, in the way that is fast on the target and never a call. `f32` and `f64`
+    /// are rounded once where the target has the instruction and the math is the standard library's, twice
+    /// otherwise.
     #[inline(always)]
     fn mul_add(self, factor: Self, summand: Self) -> Self {
         self * factor + summand

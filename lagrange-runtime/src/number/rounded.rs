@@ -1,8 +1,8 @@
 //! [`Rounded`]: a number with a bound of its error.
 //!
 //! Errors are followed from operation to operation, to first order (Higham, *Accuracy and Stability of
-//! Numerical Algorithms*, 3.3); in products and quotients exactly, since a factor may be a rounding error
-//! alone and a denominator nearly one.
+//! Numerical Algorithms*, 3.3). In products and quotients they are followed exactly, since a factor may be
+//! nothing but a rounding error, and a denominator little more than its own.
 
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -150,7 +150,7 @@ impl<R: Ordered> Real for Rounded<R> {
     }
     fn sqrt(self) -> Self {
         let value = self.value.sqrt();
-        // The error of the root of a rounding error is at most its root.
+        // |√(v ± e) − √v| ≤ √e, which is the smaller bound where v is no more than a rounding error.
         let by_slope = R::from_f64(0.5) * self.error / value;
         Self { value, error: smaller(by_slope, self.error.sqrt()) + R::epsilon() * value }
     }

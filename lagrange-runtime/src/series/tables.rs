@@ -84,8 +84,8 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
         self.sweep(rows)
     }
 
-    /// The same sums where their number of terms is known: nothing is added to zero. The loop counts. A loop
-    /// over references stays a loop on graphics processors, where the tables are then kept in memory.
+    /// The interior sums where their number of terms is known: nothing is added to zero. The loop counts an
+    /// index. A loop over references stays a loop on graphics processors, and the tables then stay in memory.
     #[inline(always)]
     fn few(&self, rows: usize) -> [R; L] {
         let mut sum = [R::zero(); L];
@@ -286,16 +286,15 @@ pub trait Pairs<const L: usize> {
     const FACTORS: &'static [[usize; 2]; L];
 }
 
-/// The convolutions of the `L` products `S` of `F` factors. Their outermost terms, with coefficients of the
-/// first and of the last order, are kept out of the tables: a sweep over a row that was just written would
-/// wait for it.
+/// The convolutions of the `L` products `S` of `F` factors. The sweep leaves out their outermost terms, whose
+/// coefficients of the first and of the last order are kept here as well: a sweep over a row that was just
+/// written would wait for it.
 #[derive(Debug)]
 pub struct Convolutions<'a, S, R, const F: usize, const L: usize, const W: usize, const P: usize> {
     tables: &'a mut Tables<R, W, P>,
     products: PhantomData<S>,
-    /// The coefficients of order 1 for the orders after 3. Where an order is not known to the compiler, both
-    /// outermost terms are added in order 2 as well, where they are the same term: it is kept as half of
-    /// itself there.
+    /// The coefficients of order 1. In order 2 both outermost terms are the same one. Where the compiler does
+    /// not know the order, both are added there, too, so until then these are half of the coefficients.
     first: [R; F],
     /// The coefficients of the last order.
     last: [R; F],

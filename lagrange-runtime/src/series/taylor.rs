@@ -15,9 +15,9 @@ pub(crate) const TERMS: usize = HIGHEST + 1;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Taylor<R> {
     pub(crate) coefficients: [R; TERMS],
-    /// The highest coefficient that is not known to be zero.
+    /// The order of the highest coefficient that is not known to be zero.
     pub(crate) degree: usize,
-    /// The bound of the error on the interval.
+    /// The bound of the error on the interval. Sums, multiples and products leave it to the caller.
     pub(crate) error: R,
 }
 

@@ -215,7 +215,7 @@ pub enum Cause {
     TooManySteps,
     /// The target time is infinite or not a number.
     InvalidTime,
-    /// A step, a sampling interval or a step limit is zero, infinite or not a number.
+    /// A step, a sampling interval or a step limit is zero, infinite or not a number, or a limit is negative.
     InvalidStep,
     /// A tolerance is negative, infinite or not a number.
     InvalidTolerance,

@@ -178,7 +178,7 @@ fn failed<S: System<N, K>, const N: usize, const K: usize>(
     MotionError { cause: diagnose(system, constants, *t, q, v), t: *t }
 }
 
-/// The same by pivots, of an M that is not positive definite.
+/// What [`Linearized::jacobians`] solves for, by pivots, where M is not positive definite.
 #[cold]
 fn pivoted<S: Linearized<N, K>, const N: usize, const K: usize>(
     system: &S,
@@ -204,8 +204,8 @@ fn pivoted<S: Linearized<N, K>, const N: usize, const K: usize>(
     Ok(())
 }
 
-/// Whether all numbers are finite. Zero times a number is zero, or else no number; sums of these side by
-/// side ask no question until the end.
+/// Whether all numbers are finite. Zero times a finite number is zero, and NaN otherwise. Sums of these
+/// products need no branch until the end.
 fn are_finite<R: Real, const N: usize, const W: usize>(rows: &[[R; W]; N]) -> bool {
     let mut sums = [R::zero(); W];
     for row in rows {

@@ -12,7 +12,8 @@ use crate::number::real::Real;
 /// Units of the coordinates at a state, those of the kinetic metric.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Metric<R, const N: usize> {
-    /// 1/√M\[i]\[i], or a unit from the constraints; zero for a coordinate that nothing moves.
+    /// 1/√M\[i]\[i], or a unit from what ties the coordinate to others; zero for a coordinate that nothing
+    /// moves.
     units: [R; N],
     /// Their reciprocals; zero for zero.
     weights: [R; N],

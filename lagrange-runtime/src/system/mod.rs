@@ -39,7 +39,7 @@ pub trait System<const N: usize, const K: usize = 0> {
     type Scalar: Real;
 
     /// The method of [`System::simulate`]: [`Jets`](crate::Jets) for smooth systems, else
-    /// [`Dop853`](crate::Dop853).
+    /// [`Dop853`](crate::Dop853); with contacts or dry friction the one that follows switches by these.
     type Method: Adaptive<Self, Held<Self::Scalar, K>, N, K>;
 
     /// Subexpressions of parameters alone, computed once per run.
@@ -92,7 +92,8 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// Whether the mass matrix can be inverted at a state: asked where accelerations are not finite.
     ///
     /// # Errors
-    /// [`Cause::SingularMassMatrix`] with the coordinate.
+    /// [`Cause::SingularMassMatrix`] with the coordinate, what is wrong with the constraints there, or
+    /// [`Cause::NotFinite`].
     #[inline]
     fn check_at(
         &self,
@@ -123,8 +124,8 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// removes the rounding errors of any other.
     ///
     /// # Errors
-    /// [`Cause::PositionViolated`] or [`Cause::VelocityViolated`], and what is wrong with the constraints
-    /// themselves.
+    /// [`Cause::PositionViolated`] or [`Cause::VelocityViolated`], what is wrong with the constraints
+    /// themselves, and [`Cause::NotFinite`].
     #[inline(always)]
     fn begin_at(
         &self,
@@ -142,7 +143,7 @@ pub trait System<const N: usize, const K: usize = 0> {
     ///
     /// # Errors
     /// [`Cause::PositionViolated`] or [`Cause::VelocityViolated`] where that fails, [`Cause::StepTooLong`],
-    /// and what is wrong with the constraints themselves.
+    /// what is wrong with the constraints themselves, and [`Cause::NotFinite`].
     #[inline(always)]
     fn project_at(
         &self,

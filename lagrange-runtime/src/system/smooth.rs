@@ -89,8 +89,8 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
     }
 
     /// The changes of coordinates and velocities in `theta` units of the scaled time: the terms of the orders
-    /// 1 to `orders`, smallest first. Horner's scheme for odd and even orders side by side, which neither
-    /// waits for.
+    /// 1 to `orders`, smallest first. Horner's scheme runs for odd and even orders side by side, so that
+    /// neither waits for the other.
     #[inline]
     pub fn gain(&self, theta: R, orders: usize) -> ([R; N], [R; N]) {
         let zero = [R::zero(); N];
@@ -143,8 +143,8 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
     /// The series about a place `shift` units from the present one: the same polynomials without their values
     /// there. (Knuth, "The Art of Computer Programming", vol. 2, § 4.6.4: repeated synthetic division.)
     pub(crate) fn recentre(&mut self, shift: R, orders: usize) {
-        // Twice down to the first order: the division that gives the value, which is not kept, and the one
-        // that gives its own.
+        // Two divisions go down to the first order: the one that gives the value, which is not kept, and the
+        // one that gives the coefficient of the first order.
         for pass in 0..=orders {
             for k in (pass.saturating_sub(1)..orders.saturating_sub(1)).rev() {
                 for rows in [&mut self.q, &mut self.v] {

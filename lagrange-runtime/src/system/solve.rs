@@ -2,7 +2,7 @@
 //!
 //! No branch leaves the straight line here: a matrix without an inverse gives NaN, which the integrator
 //! notices, and the functions `check…` then find the coordinate. A pivot counts as zero where it is below the
-//! rounding errors of the number that it was subtracted from.
+//! rounding errors of the number that it is the rest of.
 
 use nalgebra::SMatrix;
 
@@ -31,8 +31,8 @@ pub fn pivot<R: Real>(value: R, scale: R) -> R {
 
 /// Checks a pivot of a factorisation that is written out.
 ///
-/// # Errors [`Cause::SingularMassMatrix`] with the coordinate; [`Cause::NotFinite`] for a pivot that is NaN
-/// or infinite.
+/// # Errors [`Cause::SingularMassMatrix`] with the coordinate; [`Cause::NotFinite`] for a pivot or a scale
+/// that is NaN or infinite.
 #[inline]
 pub fn check<R: Real>(value: R, scale: R, coordinate: usize) -> Result<(), Cause> {
     if carries(value, scale) {

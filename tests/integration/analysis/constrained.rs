@@ -142,7 +142,7 @@ fn s05_inverse_dynamics_tells_what_must_be_pushed() {
     }
 }
 
-/// A double pendulum of four Cartesian coordinates, with its upper rod given twice if asked (S08).
+/// A double pendulum of four Cartesian coordinates, with its upper rod given twice (S08).
 struct Rods;
 
 #[lagrangian(coordinates = [r: [2], s: [2]], jacobians, allow(redundant))]

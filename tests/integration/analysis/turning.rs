@@ -43,7 +43,7 @@ const BOTTOM: [f64; 3] = [0.0, 0.0, -0.5];
 #[test]
 fn where_a_gradient_turns_frozen_equations_are_refused() {
     let name = Name::new(&"plane");
-    // A plane that stands at this moment and begins to turn is no other.
+    // A plane that stands at this moment and begins to turn is refused as well.
     for (rate, gain, t) in
         [(6.0, 0.0, 0.0), (6.0, 0.0, 0.37), (-2.0, 0.0, 5.0), (0.0, 3.0, 0.0), (0.1, 1.0, 2.0)]
     {

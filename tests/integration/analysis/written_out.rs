@@ -92,7 +92,7 @@ fn rates(system: &Waves, t: f64, x: &Whole) -> Whole {
     rates
 }
 
-/// One step of Gragg's midpoint rule in 2, 4, … 16 parts, extrapolated to none.
+/// One step of Gragg's midpoint rule in 2, 4, … 16 parts, extrapolated to parts of no length.
 fn extrapolated(system: &Waves, t: f64, x: &Whole, step: f64) -> Whole {
     let mut table: Vec<Whole> = Vec::new();
     for row in 0..8_usize {

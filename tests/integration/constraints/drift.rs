@@ -8,7 +8,7 @@ use crate::support::motion::numbers;
 const G: f64 = 9.81;
 
 /// Three masses on rods, the lowest on a floor that tilts to and fro: holonomic, rheonomic, and a mass matrix
-/// of blocks.
+/// that is diagonal.
 struct Chain {
     tilt: f64,
 }

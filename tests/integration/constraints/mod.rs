@@ -8,6 +8,7 @@
 //! | [`redundancy`] | redundant constraints: the same motion, the shortest multipliers |
 //! | [`beside`] | rows that depend on each other only where the constraints hold |
 //! | [`singular`] | constraints that become dependent on the way; what is held altogether |
+//! | [`single_row`] | a single constraint whose gradient vanishes on the way |
 //! | [`passages`] | through configurations in which constraints become dependent, straight on |
 //! | [`cell`] | such a passage at the finest tolerances |
 //! | [`far`] | small differences of large coordinates |

@@ -80,7 +80,7 @@ impl Pendulum {
     }
 }
 
-/// A rod as a length, as its square, and as the velocity across it; and a mass matrix that moves.
+/// A rod as a length, as its square, and as no velocity along it; and a mass matrix that moves.
 struct Rod {
     m: [f64; 2],
 }

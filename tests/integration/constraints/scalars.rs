@@ -4,7 +4,7 @@ use lagrangian::prelude::*;
 
 use crate::support::close::{all_close_on_largest, close, close_on};
 
-/// A generic pendulum whose pivot slides, and a skate that it does not know of.
+/// A generic pendulum whose pivot slides and whose bob is a body that a fin turns as it moves.
 #[derive(Clone, Copy)]
 struct Slider<R> {
     m: [R; 2],

@@ -122,7 +122,7 @@ impl Ball {
 
 #[test]
 fn a_bouncing_ball_comes_back_after_its_period() {
-    // A fall, and half a swing about the place where the spring carries the weight.
+    // A fall, and a little more than half a swing about the place where the spring carries the weight.
     let (height, rate): (f64, f64) = (0.8, 100.0);
     let fall = (2.0 * height / 10.0).sqrt();
     let contact = 2.0 / rate * (std::f64::consts::PI - (10.0 * fall * rate / 10.0).atan());

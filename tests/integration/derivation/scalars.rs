@@ -8,7 +8,7 @@ use crate::support::dual::Dual;
 use crate::support::identities::model;
 use crate::support::sample::Samples;
 
-/// A pole on a cart, with every role that takes a scalar.
+/// A pole on a cart, with a damped bearing and a motor, in any scalar.
 #[derive(Clone, Copy)]
 struct CartPole<R> {
     cart: R,

@@ -7,7 +7,7 @@ use crate::support::close::{all_close, all_close_on_largest};
 use crate::support::identities::model;
 use crate::support::sample::Samples;
 
-/// The solution of M a = applied − bias by nalgebra, from the generated parts.
+/// The solution of M a = −bias by nalgebra, from the generated parts: no forces are applied.
 macro_rules! solved {
     ($system:expr, $state:expr) => {{
         let right = -SVector::from($system.bias(&$state));

@@ -64,8 +64,8 @@ fn a_massless_pendulum_is_singular() {
 
 #[test]
 fn a_negative_mass_names_its_coordinate() {
-    // g does not contain the mass, so that nothing cancels. It would be an error in any case, since the
-    // energy is that of another system.
+    // The torque of the motor does not contain the mass, so that the mass does not cancel. It would be an
+    // error in any case, since the energy is that of another system.
     let expected =
         MotionError { cause: Cause::SingularMassMatrix { pivot: 0, name: Name::new(&"theta") }, t: 3.0 };
     let negative = Pendulum { m: -1.0, ..GOOD };

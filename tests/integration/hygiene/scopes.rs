@@ -168,7 +168,7 @@ fn a_module_without_the_prelude_can_hold_a_system() {
     all_close([f64::from(a)], [-2.0 * 0.5_f64.sin()], 1e-6);
 }
 
-/// A crate that tolerates no warning: the expansion gives none.
+/// A module that tolerates no warning: the expansion gives none.
 mod strict {
     #![deny(warnings, unused, nonstandard_style, unsafe_code)]
     #![deny(missing_docs, missing_debug_implementations, missing_copy_implementations, single_use_lifetimes)]

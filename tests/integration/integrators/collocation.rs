@@ -200,7 +200,7 @@ fn stiff<M: FixedStep<StiffSpring, 2, 0>>(eps: f64, key: &str, steps: u32) -> [f
 
 #[test]
 fn a_stiff_spring_needs_no_short_steps() {
-    // Four periods of the spring a step: 200 steps where the explicit methods need 10 000 to be stable.
+    // Four periods of the spring a step: 200 steps where explicit methods need some 2000 to be stable.
     let [error, energy] = stiff::<Gauss8>(1e-3, "0.001", 200);
     between(1e-9, error, 1e-7);
     between(-1.0, energy, 1e-12);
@@ -217,7 +217,7 @@ fn a_stiff_spring_needs_no_short_steps() {
 
 #[test]
 fn a_spring_stiffer_still_turns_far_within_a_step() {
-    // Eight hundred periods of the spring and a hundredth of a turn a step.
+    // Eight hundred periods of the spring and at most a thousandth of a turn a step.
     let system = StiffSpring { eps: 1e-6 };
     let mut motion = system.stepper::<Gauss6>(State::at_rest([1.0, 0.0]));
     for _ in 0..1000 {

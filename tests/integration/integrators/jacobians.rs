@@ -66,7 +66,7 @@ impl DoublePendulum {
     }
 }
 
-/// A heavy top by Euler angles, and a spring from its tip to a point that moves.
+/// A heavy top by Euler angles, and a spring from its centre of mass to a point that moves.
 struct Top;
 
 #[lagrangian(coordinates = [phi, theta, psi], jacobians)]
@@ -187,8 +187,8 @@ fn forty_beads_with_twenty_motors() {
     agrees(&Beads, core::array::from_fn(|i| 0.1 * i as f64 - 0.7), -1.2, 1.2);
 }
 
-/// A machine on a cart that flies: an arm of four hinges with a slide, an arm of three, a carriage on a
-/// curve, wind, a drive and a spring. Enough of bodies for derivatives from screws.
+/// A machine on a base that flies: an arm of four hinges with a slide, a leg of three, a carriage on a curve,
+/// springs, bearings and a force on the hand. Enough of bodies for derivatives from screws.
 struct Machine;
 
 #[lagrangian(

@@ -117,7 +117,7 @@ fn what_is_not_finite_is_refused_and_changes_nothing() {
     assert_eq!(motion.advance_to(3.1).unwrap_err().cause, Cause::InvalidTolerance);
 }
 
-/// M by entries, by a block of two with a pole, and by a constant block.
+/// M by entries, one of which vanishes at a pole, and by a constant block.
 struct Masses {
     m: [f64; 4],
 }

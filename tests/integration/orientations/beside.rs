@@ -137,8 +137,8 @@ fn a_pendulum_of_orientations_hangs_and_swings() {
     for link in links {
         close_on(1.0, (link * Vector3::z()).z, 1.0, 1e-14);
     }
-    // A uniform planar double pendulum of rods 1 m: M ω² = K, each frequency in two planes, and two free
-    // spins.
+    // A planar double pendulum of links of 1 m: det(K − ω² M) = 0, each frequency in two planes, and two
+    // free spins.
     let modes = Pendulum.modes(&rest.state, &[]).unwrap();
     let mut found: Vec<f64> = modes.iter().map(|mode| mode.eigenvalue.im).filter(|im| *im > 1e-6).collect();
     found.sort_by(f64::total_cmp);

@@ -19,7 +19,7 @@ pub fn jacobi(u: f64, m: f64) -> [f64; 3] {
 
 #[test]
 fn elliptic_functions_are_those_of_the_tables() {
-    // Abramowitz and Stegun, table 17.1 and 16.21: sn(K) = 1 with K(1/2) = 1.854074677301372.
+    // Abramowitz and Stegun, table 17.1 and 16.5: sn(K) = 1 with K(1/2) = 1.854074677301372.
     let [sn, cn, dn] = jacobi(1.854_074_677_301_372, 0.5);
     assert!((sn - 1.0).abs() < 1e-15 && cn.abs() < 1e-15 && (dn - 0.5_f64.sqrt()).abs() < 1e-15);
     // Without a modulus they are sine and cosine.

@@ -50,7 +50,7 @@ fn a_ball_rolls_down_a_slope_on_a_parabola() {
     );
     let mut motion = ball.simulate(start).with_tolerance(1e-13);
     let state = *motion.advance_to(5.0).unwrap();
-    // Two sevenths of the weight turn the ball, which makes eleven turns here.
+    // Two sevenths of the pull downhill turn the ball, which makes nearly ten turns here.
     close_on(20.0, state.q[0], -9.81 * 0.2_f64.sin() / 1.4 * 12.5, 1e-13);
     close_on(20.0, state.q[1], 4.5, 1e-13);
     let named = BallCoordinates::from(state.q).ball.rotation * ball.velocities(&state).ball.angular;

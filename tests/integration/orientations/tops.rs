@@ -82,7 +82,7 @@ impl Euler {
     }
 }
 
-/// Euler's equations and nothing beside: neither parameters nor matrices stand in them.
+/// Euler's equations and nothing beside: three products of rates, and a mass matrix that never changes.
 #[test]
 fn a_free_body_is_solved_for_in_its_axes() {
     let series = "smooth: a Taylor series of the motion takes 3 convolutions and the recurrences of no functions an \

@@ -3,9 +3,8 @@
 use lagrangian::prelude::*;
 use lagrangian::{Certificate, Identity, Violation};
 
-/// Every way to describe: arrays of points and bodies, poses of several types, arguments by value, a
-/// constraint that is eliminated, one that moves, one on velocities, inputs, dissipation, and a scalar of the
-/// user's choice.
+/// Most ways to describe: a body, an array of points, energies, a constraint that is eliminated, one that
+/// moves, one on velocities, an input, dissipation, and a scalar of the user's choice.
 struct Machine<R> {
     mass: R,
     inertia: [R; 3],

@@ -75,7 +75,7 @@ impl Parts {
     }
 }
 
-/// Two coordinates, with d(t x y)/dt less x y.
+/// Two coordinates, with d(t x y)/dt beside T − y⁴.
 struct Twisted;
 
 #[lagrangian(coordinates = [x, y], analysis)]

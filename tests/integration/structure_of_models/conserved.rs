@@ -270,7 +270,7 @@ fn a_rotation_takes_an_angle_along() {
     all_close(satellite.conserved(&end), satellite.conserved(&state), 1e-11);
 }
 
-/// Rolling: translations are symmetries of L, but friction at the contact has components along them.
+/// A skate: translations are symmetries of L, but the reaction of its edge has components along them.
 struct Skate {
     inertia: f64,
 }

@@ -6,7 +6,7 @@ use super::CLOSED_FORM;
 use crate::support::close::close_on;
 use crate::support::sample::Samples;
 
-/// A double pendulum of bars with springs at its joints.
+/// A double pendulum of bars with motors at its joints and a spring at its elbow.
 struct Arm {
     m: [f64; 2],
     l: [f64; 2],

@@ -1,8 +1,8 @@
-//! The one comparison of floating-point numbers of this test binary.
+//! The comparison of floating-point numbers that these tests share.
 //!
 //! A deviation is |found − expected| over the size of the expected number, where sizes below a floor count as
-//! the floor: near zero the comparison is absolute. NaN is never close to anything, NaN included; infinity
-//! only to nothing. Every comparison prints its deviation, which `cargo test -- --nocapture` shows.
+//! the floor: near zero the comparison is absolute. Neither NaN nor an infinity is close to anything, itself
+//! included. Every deviation is printed, which `cargo test -- --nocapture` shows.
 
 use std::panic::Location;
 

@@ -79,7 +79,7 @@ macro_rules! model {
 }
 pub(crate) use model;
 
-/// States that the identities are checked at.
+/// The number of states at which the identities are checked.
 const STATES: usize = 10;
 
 /// Step of the differences: the systems vary over lengths and times of order one, with higher harmonics.

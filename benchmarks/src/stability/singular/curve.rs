@@ -119,7 +119,7 @@ pub fn offsets(count: usize) -> impl Iterator<Item = f64> {
     })
 }
 
-/// A sequence of numbers in (0, 1) that is the same every time (SplitMix64; Steele, Lea and Flood 2014).
+/// A sequence of numbers in [0, 1) that is the same every time (SplitMix64; Steele, Lea and Flood 2014).
 pub struct Random(pub u64);
 
 impl Random {

@@ -129,7 +129,7 @@ impl<'a> Attributes<'a> {
         self.vector::<1>(reader, node, attribute).map(|[number]| number)
     }
 
-    /// An angle as the file writes it in radians.
+    /// An angle [rad], of the number that the file writes.
     pub fn radians(&self, angle: f64) -> f64 {
         if self.degrees { angle * (PI / 180.0) } else { angle }
     }

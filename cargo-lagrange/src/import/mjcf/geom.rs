@@ -11,7 +11,8 @@ use crate::import::xml::Reader;
 /// The density of a geom that gives none [kg/m³].
 const WATER: f64 = 1000.0;
 
-/// The mass of a geom in the frame of its body; none for planes, and where it is wrong.
+/// The mass of a geom in the frame of its body. `None` for planes, height fields and geoms without mass, and
+/// where the file is wrong, which is reported.
 pub fn inertial<'a>(
     reader: &mut Reader<'a>,
     attributes: &Attributes<'a>,

@@ -88,8 +88,8 @@ impl Values {
         Values { texts: Vec::new(), elements: Vec::new(), layout }
     }
 
-    /// Adds the elements of an array that a statement binds. Returns the pattern of the statement, too: a
-    /// name for each of few elements, one name for the array of many.
+    /// The elements of an array that a statement binds, after the pattern of that statement: a name for each
+    /// of few elements, one name for the array of many.
     pub fn bound(mut self, names: &mut Names, wishes: Vec<Option<String>>) -> (String, Values) {
         let values = &mut self;
         let length = wishes.len();

@@ -27,7 +27,8 @@ use writer::Writer;
 /// The most nodes of all written rows together. Further rows are left out.
 const MOST: usize = 260;
 
-/// The most nodes of a row, written out, without names for shared parts.
+/// The most nodes, written out, of all rows together if shared parts get no names; from four rows on, four
+/// times the average of a row. A summand with more is not taken apart.
 const LONG: u64 = 160;
 
 /// The fewest nodes of a part that gets a name.

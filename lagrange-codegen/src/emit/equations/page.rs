@@ -43,7 +43,7 @@ fn states(emission: &Emission<'_>) -> String {
     text
 }
 
-/// T, V, and the constraints.
+/// T, V, Lagrangians, dissipation functions and constraints.
 fn energies(emission: &mut Emission<'_>) -> String {
     let energies = [emission.equations.kinetic_energy, emission.equations.potential_energy];
     let [kinetic, potential] = energies.map(|node| {

@@ -109,7 +109,8 @@ impl Writer<'_> {
         }
     }
 
-    /// The position of a factor in a product: parameters, sums, coordinates, their derivatives, functions.
+    /// The position of a factor in a product: numbers, parameters, sums, coordinates and time, inputs,
+    /// velocities, accelerations and multipliers, functions.
     fn rank(&self, node: NodeId) -> u32 {
         match self.model.graph.node(node) {
             Node::Constant(_) => 0,

@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | `jet_constants` | parameters alone, once per run: hoisted values, inverses and factorisations of constant blocks |
 //! | `jet_at` | values and the factorisation at the point of expansion, then one pass of a loop for each order |
+//! | `followed` | the coefficients of reactions and of followed functions, if there are any |
 
 mod constants;
 mod names;
@@ -20,7 +21,7 @@ use crate::schedule::{Given, Instruction, Phase, Slot};
 use crate::structure::Method;
 use names::{Of, label_auxiliaries};
 
-/// Rows of the tables are padded to a multiple of this many columns.
+/// Rows of the tables of few products are padded to a multiple of this many columns.
 const WIDTH: usize = 4;
 
 /// The items of the trait, as text.

@@ -1,8 +1,9 @@
 //! `functions_in`: gaps, slip velocities and switching functions in one regime, over any numbers, and how
 //! they are known along a series.
 //!
-//! A regime asks for few of them, and over polynomials each operation is dear. So a part that several
-//! functions share is computed if one of them is asked for, and the rest of a function if that function is.
+//! A regime asks for few of them, and over numbers with bounds of their errors each operation is dear. So a
+//! part that several functions share is computed if one of them is asked for, and the rest of a function if
+//! that function is.
 
 use std::collections::BTreeSet;
 

@@ -6,7 +6,7 @@ use crate::calculus::sizes;
 use crate::expr::NodeId;
 use crate::regimes::Regimes;
 
-/// `jumps_at`, if the energy contains a kink.
+/// `jumps_at`, if the energy jumps at a kink.
 pub(super) fn jumps(emission: &Emission<'_>, switching: &mut Regimes) -> String {
     let graph = &mut switching.rows.graph;
     if switching.jumps.iter().all(|&jump| graph.is_zero(jump)) {
@@ -26,7 +26,7 @@ pub(super) fn jumps(emission: &Emission<'_>, switching: &mut Regimes) -> String 
     )
 }
 
-/// `corners_at`, if momenta or constraints have two values at a kink.
+/// `corners_at`, if momenta or rates of constraints have two values at a kink.
 pub(super) fn corners(emission: &Emission<'_>, switching: &mut Regimes) -> String {
     if switching.corners.is_empty() {
         return String::new();

@@ -8,7 +8,7 @@ use crate::emit::steps;
 use crate::syntax::Item;
 use crate::syntax::item::RoleKind;
 
-/// Whether a function is a contact or a friction.
+/// Whether any function is a contact or a friction.
 pub(super) fn any(item: &Item) -> bool {
     let switches = |kind: &RoleKind| matches!(kind, RoleKind::Unilateral { .. } | RoleKind::Friction(_));
     item.functions.iter().any(|function| function.meant().is_some_and(switches))

@@ -1,11 +1,11 @@
-//! Refusals of the attribute, of roles and of signatures, each once.
+//! Refusals of the attribute, of roles, of signatures, of masses and of forces, each once.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::refused;
 
-/// The one message about an impl block with these items and the coordinate x.
+/// The one message about an impl block with these items, the coordinates `x` and `a`, and the input `u`.
 fn block(items: TokenStream, start: &str) {
     refused(quote!(coordinates = [x, a: [2]], inputs = [u]), quote!(impl System { #items }), start);
 }

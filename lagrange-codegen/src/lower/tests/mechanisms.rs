@@ -1,4 +1,4 @@
-//! The systems of the manual.
+//! Mechanisms such as those of the book, and what their models hold.
 
 use quote::quote;
 

@@ -16,7 +16,7 @@ const MOST: usize = 96;
 pub(super) fn polynomial(graph: &mut Graph, root: NodeId) -> Option<Polynomial> {
     let mut images: BTreeMap<NodeId, Polynomial> = BTreeMap::new();
     for id in graph.cone([root]) {
-        // A function of parameters and variables has no image, and so has no node above it.
+        // A function of parameters and variables has no image, nor has any node above it.
         if let Some(image) = of_node(graph, id, &images)
             && image.len() <= MOST
         {

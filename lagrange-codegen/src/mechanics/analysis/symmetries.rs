@@ -68,7 +68,7 @@ enum Unknown {
 }
 
 impl Unknown {
-    /// The coordinate that it moves.
+    /// The first coordinate that it moves.
     fn row(self) -> usize {
         match self {
             Unknown::Entry(i, _) | Unknown::Plane(i, _) | Unknown::Shift(i) => i,
@@ -89,7 +89,7 @@ impl Unknown {
     }
 }
 
-/// All integrals p·(S q + s), a basis of them.
+/// A basis of the integrals p·ξ that are linear in the unknowns of the search.
 pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
     let unknowns = unknowns(model, equations);
     let generators: Vec<Generator> = unknowns.iter().map(|unknown| unknown.generator()).collect();
@@ -138,7 +138,8 @@ pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
         .collect()
 }
 
-/// The unknowns: all of S for few coordinates, rotations if M is diagonal, else translations alone.
+/// The unknowns: rotations if M is constant and diagonal, else all of S, or none of these if they are too
+/// many; and always translations and turns of orientations.
 fn unknowns(model: &Model, equations: &Equations) -> Vec<Unknown> {
     let graph = &model.graph;
     let mass = equations.mass.rows();
@@ -269,7 +270,7 @@ fn samples(wanted: usize, draw: impl FnMut(usize) -> Sample) -> Option<Vec<Sampl
 }
 
 impl Generator {
-    /// The rational vector nearest to a numerical one.
+    /// A numerical vector in fractions of small denominators; `None` if an entry is close to none.
     fn rational(vector: &[f64], generators: &[Generator]) -> Option<Generator> {
         let mut generator = Generator::default();
         for (&entry, part) in vector.iter().zip(generators) {

@@ -18,8 +18,8 @@ pub struct Turn {
     pub in_body: bool,
 }
 
-/// The motion of a coordinate under a turn: its value, its rate along the motion, and bounds of the terms of
-/// both.
+/// A component of a generator, such as a turn: its value, its rate along the motion, and bounds of the terms
+/// of both.
 #[derive(Clone, Copy, Debug)]
 pub struct Shift {
     pub row: usize,

@@ -14,8 +14,8 @@ pub struct Part {
     pub place: Vector,
     pub rotation: Rotation,
     pub inertia: Option<[Vector; 3]>,
-    /// A point of it that does not move with its rotation alone, such as one on the axis of a hinge, and the
-    /// arm from there to the place, in the axes of the rotation.
+    /// Where the arms of fixed lengths begin by which the rotation carries the place, such as a point on the
+    /// axis of a hinge, and their sum from there to the place, in the axes of the rotation.
     pub base: Vector,
     pub arm: Vector,
     /// ω, and the velocities of the place and of the base, in the axes of the rotation.
@@ -49,7 +49,8 @@ pub const POINTS: u32 = 2;
 /// Numbers that differ by more, relative to the size of their terms, differ by more than rounding errors.
 pub const ROUNDINGS: f64 = 1024.0 * f64::EPSILON;
 
-/// Everything that has mass, with its motion; `None` where a motion is no rigid one, or is given by time.
+/// Everything that has mass, with its motion. `None` without any, or where a body is planar, a particle is
+/// carried by no rotation, an inertia varies, or a motion depends on time or inputs.
 pub fn parts(model: &mut Model) -> Option<Vec<Part>> {
     let count = model.coordinates.len();
     let Model { graph, levers, points, bodies, .. } = model;
@@ -99,7 +100,7 @@ fn arm(graph: &mut Graph, levers: &Levers, rotation: &Rotation, place: Vector) -
     (base, arm)
 }
 
-/// A number of size one, the same in every expansion.
+/// A number between 0.5 and 1.5, the same in every expansion.
 pub fn number(point: u32, variable: Variable) -> f64 {
     let (kind, index) = match variable {
         Variable::Coordinate(i) => (1, i),
@@ -144,7 +145,7 @@ impl Moved {
                         let size = sizes[i / 3] + of_first[i / 3];
                         (first[i] - screw[i]).abs() <= ROUNDINGS * size
                     });
-                    // So it is with what is not a number.
+                    // What is not a number counts as different.
                     if !is_same {
                         return None;
                     }
@@ -167,7 +168,7 @@ fn screw(values: &[f64; 18]) -> ([f64; 6], [f64; 2]) {
 }
 
 /// Coordinates with the same parts, each group before what it holds and that before what it does not hold;
-/// `None` where two groups overlap.
+/// `None` where two groups share parts and neither holds all of the other.
 pub fn groups(sets: &[Vec<bool>]) -> Option<Vec<Group>> {
     let mut found: Vec<(&Vec<bool>, Vec<usize>)> = Vec::new();
     for (coordinate, set) in sets.iter().enumerate() {

@@ -15,8 +15,8 @@ const RATES: usize = 132;
 const COORDINATE: usize = 318;
 /// A coordinate with another one of its group.
 const WITHIN: usize = 33;
-/// What a coordinate does, about the common point, and with those that move more bodies, [`LANES`] of them in
-/// one operation on vectors.
+/// What a coordinate does about the common point, and what it does with [`LANES`] of those that move more
+/// bodies in operations on vectors.
 const ABOVE: usize = 48;
 const BLOCK: usize = 73;
 const LANES: usize = 8;

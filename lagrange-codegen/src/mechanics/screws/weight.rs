@@ -8,7 +8,7 @@ use crate::model::Model;
 type Vector = [NodeId; 3];
 
 /// The acceleration of free fall of which all potentials together, or those that name the place of a part,
-/// are the weight, and these potentials.
+/// are the weight, and these potentials; zero and none of them where neither are.
 pub fn gravity(model: &mut Model, parts: &[Part]) -> (Vector, Vec<usize>) {
     let all: Vec<usize> = (0..model.potential.len()).collect();
     let graph = &mut model.graph;

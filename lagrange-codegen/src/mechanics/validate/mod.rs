@@ -1,4 +1,4 @@
-//! Physics that cannot be right. It is reported on the user's own expression, never ignored.
+//! Physics that cannot be right. It is reported on the user's own expression, unless `allow(…)` permits it.
 
 mod constraints;
 mod exactness;
@@ -149,7 +149,8 @@ pub(super) fn constants(model: &Model, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Whether a constant node has a finite value.
+/// Whether a node is no constant or has a finite value, and is no product with the root of a negative
+/// constant.
 fn is_number(graph: &Graph, id: NodeId) -> bool {
     if let Node::Product(factors) = graph.node(id) {
         // In a product a constant root is one factor among others.

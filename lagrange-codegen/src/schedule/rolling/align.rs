@@ -58,11 +58,11 @@ pub(super) fn distances<'a>(reader: &'a Run, read: &'a Run) -> impl Iterator<Ite
 }
 
 /// The parts of runs that are rows of one loop: member `i` of each belongs to iteration `i`. `None` if no
-/// alignment exists.
+/// alignment exists or fewer than `least` iterations have a member of each.
 ///
 /// A member must not belong to an earlier iteration than its operands. These conditions are a system of
 /// difference constraints; longest paths give the least solution (Bellman and Ford; Cormen et al.,
-/// "Introduction to Algorithms", ch. 22).
+/// "Introduction to Algorithms", 4th ed., ch. 22).
 pub(super) fn aligned(runs: &[&Run], least: usize) -> Option<Vec<Run>> {
     let mut constraints = Vec::new();
     for (user, reader) in runs.iter().enumerate() {

@@ -115,7 +115,8 @@ pub(super) fn find(classes: &Classes, least: usize) -> Vec<Run> {
     runs
 }
 
-/// The steps from the operands of one instruction to those of another. `None` if their kinds differ.
+/// The steps from the operands of one instruction to those of another. `None` if they differ in more than
+/// ranks, indices and constants.
 fn steps(from: &[Reference], to: &[Reference]) -> Option<Vec<i64>> {
     from.iter()
         .zip(to)

@@ -17,8 +17,8 @@ struct Steps<'a> {
     classes: &'a Classes,
     turns: &'a [Turn<'a>],
     tracks: Tracks,
-    /// Whether the values of a row stand in an array because other iterations or steps read them, by turn and
-    /// row.
+    /// Whether the values of a row stand in an array because more than their own iteration reads them, by
+    /// turn and row.
     stored: Vec<Vec<bool>>,
     /// The array of each track, if it needs one.
     arrays: Vec<Option<usize>>,
@@ -48,7 +48,7 @@ fn rows_of<'t, 'a>(turn: &'t Turn<'a>) -> &'t [&'a Run] {
     }
 }
 
-/// Whether other iterations or steps read the values of a row, by turn and row.
+/// Whether more than their own iteration reads the values of a row, by turn and row.
 fn stored(classes: &Classes, parts: &Parts, turns: &[Turn<'_>], around: &Surroundings<'_>) -> Vec<Vec<bool>> {
     let mut spots: Vec<Option<Spot>> = vec![None; classes.part.len()];
     for (t, turn) in turns.iter().enumerate() {
@@ -128,7 +128,7 @@ impl Steps<'_> {
         self.classes.part[row.place(self.classes, iteration)]
     }
 
-    /// The walk along an array that a walk along its track is.
+    /// A walk along a track as a walk along the array of that track. `None` if the track has no array.
     fn in_array(&self, walk: Walk) -> Option<Walk> {
         Some(Walk { array: self.arrays[walk.array]?, ..walk })
     }

@@ -34,8 +34,8 @@ pub fn arguments(tokens: TokenStream) -> Vec<Argument> {
             _ => {}
         }
     }
-    // A list without a key is the first of these that is missing. One that begins with `self` is of
-    // parameters.
+    // A list without a key is the coordinates, or else the inputs, if these are missing. One that begins with
+    // `self` is the sensitivities.
     for (index, tree) in trees.iter().enumerate() {
         let Some(list) = in_brackets(tree).filter(|_| !claimed.contains(&index)) else { continue };
         let of_parameters =

@@ -46,7 +46,7 @@ impl Interpreter<'_> {
                 let accelerations = Box::new(accelerations.clone());
                 Ok(Value::Result(if finite { Ok(accelerations) } else { Err("not finite".to_owned()) }))
             }
-            // The net under the reading is tested where the user's functions can be called.
+            // Tests that can call the user's functions compare them with the readings.
             ("lagrange::reading::checked" | "lagrange::constraints::sound", _) => Ok(Value::verdict(true)),
             ("core::result::Result::Ok", [value]) => Ok(Value::Result(Ok(Box::new(value.clone())))),
             ("lagrange::System::constants", [Value::Model]) => self.constants(),

@@ -68,7 +68,7 @@ impl Interpreter<'_> {
     }
 }
 
-/// What is done with indices. One that leaves the numbers of an array's is no index on the way to another.
+/// Arithmetic of indices. A result below zero is no index, not even on the way to another one.
 pub(super) fn index(binary: &ExprBinary, left: usize, right: usize) -> Run<Value> {
     let result = match binary.op {
         BinOp::Add(_) => left.checked_add(right),

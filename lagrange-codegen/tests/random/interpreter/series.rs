@@ -8,7 +8,7 @@ use super::value::{Run, Stop, Value, solved, symmetric, unknown};
 use super::{Interpreter, Locals, find, path_of, patterns, text};
 use crate::oracle::gauss;
 
-/// The variable that holds the order of a pass.
+/// The variable that holds the tables: a row for each order so far, and the products.
 const TABLES: &str = "tables";
 
 /// Where the length of their rows is kept; not a name of emitted code.

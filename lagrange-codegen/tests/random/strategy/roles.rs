@@ -30,7 +30,7 @@ pub enum Base {
     Varying(usize, Expr),
     /// A particle that moves with the coordinate on a line or in the plane.
     Point(Expr, Expr, usize),
-    /// A Lagrangian that is not quadratic in v.
+    /// A Lagrangian that is not quadratic in v, or indefinite.
     Whole(usize, Expr),
 }
 
@@ -77,7 +77,7 @@ impl Base {
     }
 }
 
-/// Lagrangians that are not quadratic in the velocity of coordinate `i`.
+/// Lagrangians that are not quadratic in the velocity of coordinate `i`, and one that is indefinite.
 fn whole(form: usize, i: usize, x: Expr) -> Expr {
     let v = || velocity(i);
     let power = |a: Expr, exponent: f64| Expr::Combine(Pair::Powf, Box::new(a), Box::new(number(exponent)));
@@ -97,7 +97,7 @@ fn whole(form: usize, i: usize, x: Expr) -> Expr {
         }
         3 => times(positive(form / 6, x), call(Function::Sqrt, plus(number(1.0), square(v())))),
         4 => plus(power(plus(number(1.0), square(v())), 1.5), times(times(x, number(0.1)), v())),
-        // Indefinite: −½ v² + v w, with any other velocity w.
+        // Indefinite: v w − 0.4 v², with w any velocity.
         _ => operation(
             Operator::Subtract,
             times(v(), velocity(i + 1 + form / 6)),
@@ -106,7 +106,7 @@ fn whole(form: usize, i: usize, x: Expr) -> Expr {
     }
 }
 
-/// Roles beside the inertia. `At` and `Wrench` may have nothing to act on.
+/// Roles beside the inertia. `ForceAt` and `Wrench` may have nothing to act on.
 pub fn role(quadratic: bool) -> BoxedStrategy<Role> {
     let kinetic = body(Reach::Position, kinetic()).prop_map(|body| Role::Energy(Energy::Kinetic, body));
     let potential =
@@ -144,7 +144,7 @@ pub fn role(quadratic: bool) -> BoxedStrategy<Role> {
     }
 }
 
-/// A smooth function of x that grows slowly.
+/// A smooth function of x with values in [−1, 1].
 fn bounded_slope(x: Expr) -> Expr {
     call(Function::Sin, x)
 }

@@ -16,7 +16,7 @@ const COORDINATES: [&str; 16] = [
 ];
 const INPUTS: [&str; 4] = ["force", "motor", "inputs", "theta_dot"];
 
-/// The most coordinates of an ordinary system, and the length of the group that makes a system large.
+/// The number of coordinates of a system of middle size, and the length of the group that makes one large.
 const MOST: usize = 7;
 const LARGE: usize = 33;
 
@@ -25,8 +25,8 @@ pub fn system() -> BoxedStrategy<System> {
     prop_oneof![5 => of_inertia(true), 2 => of_inertia(false)].boxed()
 }
 
-/// Chains of particles, one or two on a common support that may move, with few other parts: the mass matrices
-/// of such systems are not formed.
+/// One or two chains of particles that hang at a fixed place, at times with one more coordinate, and few
+/// other parts. A recursion solves most of these systems and does not form their mass matrices.
 pub fn chained() -> BoxedStrategy<System> {
     let scalar_type = prop_oneof![3 => Just(Scalar::F64), 1 => Just(Scalar::Generic)];
     let helpers = prop::collection::vec(body(Reach::Helper, scalar(Reach::Helper)), 1);
@@ -60,7 +60,8 @@ pub fn chained() -> BoxedStrategy<System> {
         .boxed()
 }
 
-/// Diagonal mass matrices with many constraints that have few coordinates in common.
+/// Many constraints that have few coordinates in common. The mass matrix is diagonal, unless a particle moves
+/// with several coordinates.
 pub fn linked() -> BoxedStrategy<System> {
     let scalar_type = prop_oneof![3 => Just(Scalar::F64), 1 => Just(Scalar::Generic)];
     let helpers = prop::collection::vec(body(Reach::Helper, scalar(Reach::Helper)), 1);

@@ -2,9 +2,9 @@
 
 use lagrangian::prelude::*;
 
-/// Crank, coupler and rocker between two pivots, with their masses in the middle of the bars. The shortest
-/// and the longest of the four lengths are together less than the others, so the crank turns all round and
-/// the loop is never flat.
+/// Crank, coupler and rocker between two pivots, with their masses in the middle of the bars. With the
+/// lengths of `a_four_bar` the shortest and the longest are together less than the others, so the crank turns
+/// all round and the loop is never flat.
 #[derive(Clone, Copy, Debug)]
 pub struct FourBar {
     /// Lengths of crank, coupler and rocker \[m].

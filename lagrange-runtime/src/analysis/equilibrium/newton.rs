@@ -140,8 +140,8 @@ where
         let stiffest = larger(search.stiffest, here);
         let stiffness = if stiffest > number(0.0) { here / stiffest } else { number(1.0) };
         let free = rest.motions.count.max(self.allowed(rest).count);
-        // The least stiffness, in units of the position, that exceeds the rounding errors of the stiffest
-        // direction.
+        // The square of the least stiffness that counts: √ε of the largest one of the search, in units of the
+        // position.
         let least = epsilon * (largest / (stiffness * stiffness));
         let is_isolated = values.rank(least) == free && step <= epsilon.sqrt() * reach;
         Verdict { is_balanced: is_rounding && ends && is_small, ends, is_isolated, stiffness }

@@ -15,8 +15,8 @@ use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger};
 use crate::system::name::Name;
 
-/// The points at which a change is tried, in units of it. By accident forces may look linear at one of them,
-/// but not at all.
+/// The points at which a change is tried, in units of it. By accident forces may look linear at one of these,
+/// but not at all four.
 const PLACES: [f64; 4] = [1.0, -1.0, 2.0, -2.0];
 
 impl<S, const N: usize, const K: usize, const C: usize> Statics<'_, S, N, K, C>

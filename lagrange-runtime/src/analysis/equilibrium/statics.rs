@@ -50,10 +50,10 @@ pub(super) struct Rest<R, const N: usize, const C: usize> {
     /// Motions that the holonomic constraints allow, if these are not the same.
     places: Option<Directions<R, N>>,
     pub gradients: Stored<[[R; N]; C]>,
-    /// The units of `forces` and of `stiffness`: the largest of their entries. In these units squares neither
+    /// The unit of `forces`: the largest of them. In this unit and that of `stiffness` squares neither
     /// overflow nor underflow, whatever the size of the system and however forces fade or grow.
     pub push: R,
-    /// The unit of `stiffness`.
+    /// The unit of `stiffness`: its size.
     pub unit: R,
     /// Their ratio: the unit of a displacement, which is forces by stiffness.
     pub length: R,
@@ -124,7 +124,7 @@ where
     S: Tangent<N, K, C>,
     S::Scalar: Ordered,
 {
-    /// Whether constraints on velocities allow the same motions as those on coordinates.
+    /// Whether all constraints are holonomic: they then allow the same displacements as velocities.
     pub const HOLONOMIC: bool = {
         let (mut c, mut all) = (0, true);
         while c < C {

@@ -89,7 +89,7 @@ fn deflated(part: &DMatrix<f64>, tolerance: f64) -> DMatrix<f64> {
     }
 }
 
-/// With an exact zero for a real or an imaginary part that is smaller than its error.
+/// The eigenvalue, with an exact zero for a real or an imaginary part that is smaller than its error.
 ///
 /// To first order an eigenvalue is as uncertain as the matrix times |x| |y| / |yᵀx|, where x and y are its
 /// eigenvectors of the matrix and of the transpose. Where two eigenvalues meet, yᵀx is zero: their relative

@@ -12,9 +12,9 @@ const BEYOND: f64 = 1e3;
 /// it is uncertain.
 ///
 /// `scale` is a change of x in which f may change by its own size, at most. Steps grow from half the digits
-/// of it: at first rounding errors are divided by less and less, then f is no longer its own tangent, at a
-/// step that is not known. The best of them is where consecutive ones agree, and the search ends where they
-/// disagree again: further away a function may be flat.
+/// of it. At first the share of rounding errors falls. From some step on, which is not known beforehand, f is
+/// no longer the polynomial that the formula takes it for. The best step is where consecutive differences
+/// agree, and the search ends where they disagree again: further away a function may be flat.
 pub fn derivative<R: Real>(f: impl Fn(R) -> R, scale: R) -> (R, R) {
     let number = R::from_f64;
     let mut h = scale * R::epsilon().sqrt();

@@ -9,15 +9,16 @@ use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::state::{State, difference};
 
-/// Moves a state that a step has left beside the constraints onto them. A state that is on them already is
-/// left as it is.
+/// Moves a state that a step has left beside the constraints onto them. A state that is on them already keeps
+/// its values.
 ///
 /// Without an estimate of its error a step in fixed steps shows by its correction whether it makes sense:
 /// with `from`, the state before it, a correction that is larger than all that the step itself has changed is
 /// an error.
 ///
 /// # Errors
-/// The constraint that stays violated; [`Cause::StepTooLong`].
+/// The constraint that stays violated or contradicts others, [`Cause::Undetermined`], [`Cause::NotFinite`];
+/// [`Cause::StepTooLong`].
 #[inline]
 pub fn project<S, const N: usize, const K: usize, const C: usize>(
     system: &S,

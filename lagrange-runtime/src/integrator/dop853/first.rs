@@ -1,9 +1,11 @@
 //! Length of the first step.
 //!
-//! The times in which a state changes by itself are ‖q‖/‖v‖, ‖v‖/‖a‖ and their mean √(‖q‖/‖a‖), which none
-//! of the three being small makes small alone; with a probe the same of the next derivative. Norms are
-//! largest numbers, so units of time and length do not matter. A guess that is too long is refused, and one
-//! that is too short grows, both by a factor a step: only their cost depends on it.
+//! A state has three times in which it changes by its own size: ‖q‖/‖v‖, ‖v‖/‖a‖ and their geometric mean
+//! √(‖q‖/‖a‖). A probe takes a part of the mean, or of another one where the mean is zero or infinite. The
+//! accelerations at its end give the next derivative j, and with it ‖a‖/‖j‖ and √(‖v‖/‖j‖), of which the
+//! longer one counts. Norms are largest magnitudes, so units of time and length do not matter. A guess that
+//! is too long is refused, and one that is too short grows, both by a factor a step: only their cost depends
+//! on it.
 
 use num_traits::Zero;
 
@@ -14,7 +16,7 @@ use crate::system::state::State;
 /// The part of a time of the state that a probe may take.
 const PROBE: f64 = 0.01;
 
-/// The largest number of an array.
+/// The largest magnitude in an array.
 fn norm<R: Ordered, const N: usize>(x: &[R; N]) -> R::Lane {
     x.iter().fold(R::Lane::zero(), |most, x| larger(most, x.part(0).largest().abs()))
 }
@@ -28,7 +30,7 @@ fn is_time<L: Ordered>(time: &L) -> bool {
 pub(super) fn probe<R: Ordered, const N: usize>(from: &State<R, N>, slope: &Slope<R, N>) -> R {
     let [q, v, a] = [norm(&from.q), norm(&from.v), norm(&slope.v)];
     let time = [(q / a).sqrt(), v / a, q / v].into_iter().find(is_time);
-    // At rest without a force, or at the origin without one, nothing tells of time.
+    // Where two of the three norms are zero, nothing tells of time.
     R::splat(time.map_or_else(|| R::Lane::from_f64(1e-6), |time| R::Lane::from_f64(PROBE) * time))
 }
 

@@ -75,8 +75,8 @@ impl<R: Ordered, const N: usize> Tried<'_, R, N> {
         if along.is_finite() { larger(along, across) } else { along }
     }
 
-    /// Root mean square of the errors of the values, or of one of their derivatives: each estimate is
-    /// h e₅² / √(e₅² + 0.01 e₃²), of order h⁸.
+    /// The error of the values, or of one of their derivatives, in tolerances: h e₅² / √(e₅² + 0.01 e₃²), of
+    /// order h⁸, where e₅ and e₃ are root mean squares of the estimates of all numbers.
     #[inline]
     fn error_of(&self, part: usize, limits: &Limits<R>, unavoidable: &[[R::Lane; N]; 2]) -> R::Lane {
         let of = |x: R| x.part(part).largest();
@@ -120,8 +120,8 @@ impl<R: Ordered, const N: usize> Tried<'_, R, N> {
             let absolute = if part == 0 {
                 given.unwrap_or_else(R::Lane::zero)
             } else {
-                // Linear equations have no scale, so an error of a derivative is relative to the whole of its
-                // column.
+                // The equations of derivatives are linear and have no scale, so an error of one is relative
+                // to the whole of its column.
                 let whole = sizes.iter().fold(R::Lane::zero(), |most, &size| larger(most, size));
                 given.unwrap_or(relative) * whole
             };

@@ -6,8 +6,9 @@
 //! better than that either. They must show at both ends of a step: a jump beside one of them is no rounding
 //! error.
 //!
-//! An error that does not fall as the step gets shorter is one of a jump. Once the step is the tolerance's
-//! part of the first attempt, the change by the jump is the tolerance's part of the motion of that attempt.
+//! An error that does not fall as the step gets shorter is one of a jump. Once the step is as short as the
+//! relative tolerance times the first attempt, the jump changes the motion of that attempt by no more than
+//! the relative tolerance.
 
 use num_traits::Zero;
 
@@ -21,7 +22,7 @@ use crate::system::limits::Limits;
 use crate::system::method::Steps;
 use crate::system::state::State;
 
-/// Changes of a state in ulps: of its even numbers, and of its odd ones.
+/// Changes of a state in ulps: of its numbers with an even index, and of those with an odd one.
 const PROBES: [[f64; 2]; 3] = [[1.0, 1.0], [-2.0, -2.0], [3.0, -3.0]];
 
 /// The evaluations that show the rounding errors of a step.
@@ -30,7 +31,8 @@ const EVALUATIONS: u64 = 2 * PROBES.len() as u64 + 1;
 /// The attempts at one step so far.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attempts<L, const N: usize> {
-    /// Length of the first one that was refused for its error, and its errors of the velocities over it.
+    /// Length of the first one that was refused for its error, and its errors of the velocities, divided by
+    /// that length.
     refused: Option<(L, [L; N])>,
     /// Length below which a step changes hardly a number \[s].
     range: L,
@@ -107,7 +109,7 @@ impl<L: Ordered, const N: usize> Attempts<L, N> {
     }
 }
 
-/// Errors of the velocities over the length of the step.
+/// Estimated errors of the velocities, divided by the length of the step.
 fn errors<R: Ordered, const N: usize>(tried: &Tried<'_, R, N>) -> [R::Lane; N] {
     tried.estimates[0].v.each(|x| x.part(0).largest().abs())
 }
@@ -133,7 +135,8 @@ fn roundings<R: Ordered, F: Field<R, N>, const N: usize>(f: &F, tried: &Tried<'_
     array(|n| smaller(at_start[n], at_end[n]))
 }
 
-/// The largest changes of the accelerations by a few ulps of a state with its `slope`, `h` \[s] from others.
+/// The largest changes of the accelerations by a few ulps of a state. An ulp is one of the number and of its
+/// change over `h` \[s] with the given `slope`.
 fn changes<R: Ordered, F: Field<R, N>, const N: usize>(
     f: &F,
     t: R,

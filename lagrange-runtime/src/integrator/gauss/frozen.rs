@@ -3,9 +3,9 @@
 //! With g = M⁻¹ f − a at each stage, a correction Δ of the accelerations solves
 //! M Δᵢ − h Σ aᵢⱼ ∂r/∂v Δⱼ − h² Σ (A²)ᵢⱼ ∂r/∂q Δⱼ = M gᵢ, with M and the derivatives of r = f − M a at one
 //! state for all stages. (With rᵢ on the right instead of M gᵢ, the change of M over a step would slow the
-//! iteration down.) In the eigenvectors of A that is one complex system of size N for each pair of
-//! eigenvalues λ: (M − hλ ∂r/∂v − (hλ)² ∂r/∂q) w = M g. The matrix is made anew where corrections shrink too
-//! slowly.
+//! iteration down.) In the eigenvectors of A that is one complex system of size N for each pair of conjugate
+//! eigenvalues λ, and for a real one: (M − hλ ∂r/∂v − (hλ)² ∂r/∂q) w = M g. The matrix is made anew where
+//! corrections shrink too slowly.
 
 use num_traits::Zero;
 
@@ -22,7 +22,7 @@ const CORRECTIONS: usize = 40;
 /// The most matrices of a solution.
 const MATRICES: usize = 4;
 
-/// The most pairs of eigenvalues of a method.
+/// The most modes of a method, each of a real eigenvalue or of a pair of conjugate ones.
 const MODES: usize = 2;
 
 /// The factored matrices, one for each mode.

@@ -1,9 +1,9 @@
 //! Newton's method with the derivatives of every stage, for long steps of stiff systems.
 //!
 //! If a stiff force turns within a step, no single matrix serves for all stages. Here the matrix of all
-//! stages, M Δᵢ δᵢⱼ − h aᵢⱼ (∂r/∂v)ᵢ − h² (A²)ᵢⱼ (∂r/∂q)ᵢ, is eliminated as a whole. That costs some ten
-//! times as much, so it is the second choice. The matrix is on the stack, so it serves systems of moderate
-//! size.
+//! stages, Mᵢ δᵢⱼ − h aᵢⱼ (∂r/∂v)ᵢ − h² (A²)ᵢⱼ (∂r/∂q)ᵢ with r = f − M a, is eliminated as a whole. That
+//! costs some ten times as much, so it is the second choice. The matrix is on the stack, so it serves systems
+//! of moderate size.
 
 use num_traits::Zero;
 

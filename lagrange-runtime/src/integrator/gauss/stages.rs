@@ -113,7 +113,7 @@ where
         }
     }
 
-    /// The scale of velocities that coordinates of this size could have.
+    /// The velocity that crosses the largest coordinate in one step.
     fn reach(&self) -> S::Scalar {
         let size = self.from.state.q.iter().fold(S::Scalar::zero(), |most, &q| larger(most, extent(q)));
         (size / self.h).abs()

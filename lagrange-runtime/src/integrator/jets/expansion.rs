@@ -57,9 +57,9 @@ pub(super) fn too_small<T: Copy, M: Copy + Default, R: Ordered, const N: usize>(
     }
 }
 
-/// Expands the motion about the start of the memory, for a step of at most `left` \[s]. Returns the length
-/// \[s] that the tolerance allows, without direction; `None` for a polynomial in time, or if coefficients
-/// underflow.
+/// Expands the motion about the start of the memory. `left` \[s] is the time to go: it gives the direction,
+/// and the unit of time where none is known. Returns the length \[s] that the tolerance allows, without
+/// direction, which may be longer than `left`; `None` for a polynomial in time, or if coefficients underflow.
 #[inline(always)]
 pub(super) fn expand<S, const N: usize, const K: usize>(
     memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,

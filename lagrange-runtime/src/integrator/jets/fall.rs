@@ -18,9 +18,9 @@ use super::last_term;
 /// The ratio of successive terms that the first rule allows at least.
 const STEEPEST: f64 = 6.0;
 
-/// The largest ratio of successive terms of a series that counts as decay: 1.5 times the decay that
-/// tolerance and order demand. That is [`STEEPEST`], unless [`HIGHEST`] leaves fewer orders per digit, as
-/// happens for scalars with more digits than `f64`.
+/// The largest ratio of successive terms of a series that counts as decay: [`STEEPEST`], or 1.5 times the
+/// decay that tolerance and order demand, where that is more. It is more only where [`HIGHEST`] leaves fewer
+/// orders per digit, as happens for scalars with more digits than `f64`.
 #[inline]
 pub(crate) fn steepest<R: Ordered>(tolerance: R, orders: usize) -> R {
     let demanded = (-last_term(tolerance).ln() / R::from_f64(orders as f64)).exp();

@@ -19,7 +19,7 @@ use crate::system::method::{Steps, Terms};
 use crate::system::smooth::Series;
 use crate::system::state::State;
 
-/// The memory of [`Jets`] between steps, with series to order `P`.
+/// The memory of [`Jets`] and of `Paced` between steps, with series to order `P`.
 #[derive(Clone, Copy, Debug)]
 pub struct JetsMemory<C, T, R, const N: usize, const P: usize = HIGHEST> {
     pub(super) constants: C,
@@ -49,7 +49,7 @@ pub struct JetsMemory<C, T, R, const N: usize, const P: usize = HIGHEST> {
     pub(super) independence: Option<Independence<R>>,
     /// How well the constraints have determined the motion so far; `None` before the first step.
     pub(super) determined: Option<Determined<R>>,
-    /// The uncertainty of coupled coordinates and velocities, in ulps.
+    /// The ulps of coordinates and velocities that constraints couple: none is known better than that.
     pub(super) ulps: [[R; N]; 2],
     pub(super) end: State<R, N>,
     pub(super) end_residue: State<R, N>,
@@ -98,7 +98,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
         (a <= t && t <= b) || (b <= t && t <= a)
     }
 
-    /// Whether `t` lies beyond the end of the step in its direction; true for a step of no length.
+    /// Whether `t` lies at or beyond the end of the step in its direction; true for a step of no length.
     pub(super) fn ahead(&self, t: R) -> bool {
         let (a, b) = (self.start.t, self.end.t);
         if a <= b { t >= b || a == b } else { t <= b }
@@ -183,8 +183,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
         }
     }
 
-    /// Time runs in the other direction: odd coefficients of the coordinates change their sign, and all of
-    /// them the unit.
+    /// Makes time run in the other direction: the unit changes its sign, and so do the coefficients of odd
+    /// orders, those of the coordinates and those of the velocities.
     pub(super) fn turn(&mut self) {
         self.unit = -self.unit;
         for rows in [&mut self.series.q, &mut self.series.v] {
@@ -226,7 +226,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
         }
     }
 
-    /// Whether the coefficients of the highest order are finite, and with them all others.
+    /// Whether the coefficients of the highest order are finite. Those of lower orders mostly are then, too,
+    /// but not where a force is infinite and does not change.
     #[inline]
     pub(super) fn is_finite(&self) -> bool {
         let row = |rows: &[[R; N]; P]| {
@@ -237,13 +238,13 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
 }
 
 impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R, N> {
-    /// The length at which the last two terms fall to the tolerance, in units of the scaled time; not finite
-    /// where a coefficient is not, infinite for a polynomial.
+    /// The length at which the last two terms fall to the tolerance, in units of the scaled time. It is
+    /// infinite for a polynomial, and means nothing where a coefficient is not finite.
     ///
     /// Terms before the last two shorten it where these are small by chance: see [`super::fall`].
     ///
     /// The size of a component is that of its first terms over `span`, which should be about the length
-    /// itself. With `steady` the unit is the last step.
+    /// itself. With `steady` the unit is the length that error control gave the last step.
     ///
     /// Of numbers with derivatives each component of each derivative has its own size, as coordinates have.
     #[inline]
@@ -291,8 +292,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             attitude::share(&mut sizes[0], first, least);
             attitude::share(&mut sizes[1], first, zero);
         }
-        // Linear equations have no scale: an absolute error of a derivative is one beside the whole of its
-        // column.
+        // The equations of derivatives are linear and have no scale: an absolute error of a derivative is one
+        // beside the whole of its column.
         let column = |largest, &size: &R::Lane| larger(largest, size);
         let whole = if part == 0 { R::Lane::one() } else { sizes.iter().flatten().fold(zero, column) };
         let absolute = number(SAFETY) * absolute * whole + step_size::smallest::<R::Lane>();

@@ -1,9 +1,10 @@
 //! [`Paced`]: one Taylor series to the end of a step that the caller chose, as a part of a motion whose
 //! equations switch.
 //!
-//! There is no error control, as in [`Jet`](crate::Jet). A step is halved only where its series does not
-//! tell the motion, beside a configuration in which constraints depend on each other, or where it loses an
-//! energy that is conserved.
+//! There is no error control, as in [`Jet`](crate::Jet). A step is halved only for the sake of constraints:
+//! where bringing its end back onto them would change it by more than the step itself, or where there are
+//! several and its series does not tell the motion. Beside a configuration in which they depend on each
+//! other it is also halved where it changes an energy that is conserved.
 
 use super::super::jet::is_sound;
 use super::super::landing::energy::is_kept;
@@ -249,7 +250,7 @@ where
     }
 }
 
-/// The share of the last two terms of a step in the velocities.
+/// The share of the last two terms in the change of a velocity over a step, the largest of all.
 fn left<R: Ordered, const N: usize>(terms: &Terms<'_, R, N>) -> R {
     let length = terms.length.abs();
     let sizes = |i: usize| terms.v.iter().rev().fold(R::zero(), |sum, row| (sum + row[i].abs()) * length);

@@ -48,8 +48,8 @@ pub(crate) struct Probe<'a, S: Smooth<N, K>, const N: usize, const K: usize, con
 
 impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, S, N, K, P> {
     /// Whether the first `theta` units agree with the equations of motion. `known` are the largest
-    /// accelerations so far, whose rounding errors count as agreement. If the series agrees, the
-    /// accelerations found here are added to them.
+    /// accelerations so far, whose rounding errors count as agreement. If the series agrees, they include
+    /// those found here.
     pub fn agrees(&self, theta: S::Scalar, known: &mut [S::Scalar; N]) -> bool {
         let mut strongest = *known;
         let agrees = self.compared(theta, &mut strongest);
@@ -59,7 +59,8 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
         agrees
     }
 
-    /// The comparison, with all accelerations found. For a polynomial in time they are those that lie ahead.
+    /// The comparison. `strongest` always includes all accelerations found. For a polynomial in time they are
+    /// those that lie ahead.
     pub fn compared(&self, theta: S::Scalar, strongest: &mut [S::Scalar; N]) -> bool {
         let span = theta * self.unit;
         let noise = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon();
@@ -89,8 +90,7 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
                     pair(i).iter().fold(speed, |size, &x| size.max((x * span).abs()))
                 };
                 // A derivative is a sum over its whole column, whose rounding errors it has however small it
-                // is itself: those of velocities, and those of coordinates, which a step takes for
-                // velocities.
+                // is itself: those of velocities, and those of coordinates divided by the step.
                 let whole = |most: S::Scalar, i: usize| {
                     most.max(size(i)).max((self.start.q[i].part(part) / span).abs())
                 };

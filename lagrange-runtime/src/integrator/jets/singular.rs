@@ -31,7 +31,7 @@ const CORRECTIONS: usize = 24;
 /// determined better than the start of a step that leads across.
 pub(super) const ACROSS: f64 = 2.0;
 
-/// The same for the first step of a motion. A start that is determined well is as good as any other state.
+/// The same for the first step of a motion: there it is enough that the state is determined well.
 pub(super) const FIRST: f64 = 0.0;
 
 /// Takes a step about its end, where the constraints determine the state well, and better by this factor.
@@ -40,7 +40,7 @@ pub(super) const FIRST: f64 = 0.0;
 ///
 /// # Errors
 /// [`Cause::Undetermined`] where they are independent beside it, but no motion leads there with this
-/// velocity.
+/// velocity; and why the start cannot be brought onto the constraints.
 #[cold]
 #[inline(never)]
 #[allow(clippy::too_many_arguments)]
@@ -114,7 +114,7 @@ where
 {
     let time = beyond.t - from.t;
     let one: S::Scalar = num_traits::One::one();
-    // For the moment the end of the step takes the place of the start, to which it is to lead.
+    // This check takes the end for the state before the step, because the series leads from there to `from`.
     let ahead = beyond;
     let check = Check { system, constants, inputs: &control.0, limits, from: &ahead };
     // The state nearest to `from` at which the constraints determine what is along them.

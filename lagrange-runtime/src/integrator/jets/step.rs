@@ -194,7 +194,8 @@ where
     (longest > theta * unit).then(|| longest / unit)
 }
 
-/// Halves the step until it obeys the equations of motion. `left` is the time to go for a polynomial in time.
+/// Halves the step until it obeys the equations of motion. `free` is the time to go if the motion is a
+/// polynomial in time.
 #[cold]
 fn shorten<S, const N: usize, const K: usize>(
     memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,

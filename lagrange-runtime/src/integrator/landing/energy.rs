@@ -50,7 +50,7 @@ where
     }
 }
 
-/// Whether a step has lost so little of the energy that half of the digits of the kinetic energy are right.
+/// Whether a step has changed the energy so little that half of the digits of the kinetic energy are right.
 #[inline]
 pub(crate) fn is_kept<S, const N: usize, const K: usize>(
     system: &S,

@@ -121,7 +121,7 @@ fn steps_backward_undo_steps_forward() {
     check::<BlanesMoan6>();
 }
 
-/// Largest relative error of the energy of an orbit with excentricity 0.3 over the first and the last tenth
+/// Largest relative error of the energy of an orbit with eccentricity 0.3 over the first and the last tenth
 /// of a run of a thousand periods, with about `evaluations` a period.
 fn energy_errors<M: FixedStep<Kepler, 2, 0>>(evaluations: u32, stages: u32) -> [f64; 2] {
     let mut motion = Kepler.stepper::<M>(pericentre(0.3));

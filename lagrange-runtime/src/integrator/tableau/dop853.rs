@@ -87,7 +87,7 @@ pub(crate) const B3: [f64; STAGES] = [
     0.022058823529411766,
 ];
 
-/// Weights of the coefficients 4 to 7 of the dense output.
+/// Weights of the last four of the seven coefficients of the dense output.
 #[rustfmt::skip]
 pub(crate) const D: [[f64; STAGES_DENSE]; 4] = [
     [-8.428938276109013, 0.0, 0.0, 0.0, 0.0, 0.5667149535193777, -3.0689499459498917, 2.38466765651207, 2.117034582445028, -0.871391583777973, 2.2404374302607883, 0.6315787787694688, -0.08899033645133331, 18.148505520854727, -9.194632392478356, -4.436036387594894],

@@ -1,7 +1,7 @@
 //! Splitting methods: fractions of the step for kicks and drifts, alternating, a kick first and last.
 //!
-//! All are palindromes, so only the first half stands here; a kick of zero is left out. Composition methods
-//! by H. Yoshida, Phys. Lett. A 150 (1990) 262, of which that of order 8 by M. Suzuki and K. Umeno in
+//! All are palindromes, so only the first half stands here. A step leaves out a kick of zero. Composition
+//! methods by H. Yoshida, Phys. Lett. A 150 (1990) 262, of which that of order 8 by M. Suzuki and K. Umeno in
 //! "Computer Simulation Studies in Condensed-Matter Physics VI" (1993) 74, with coefficients from E. Hairer,
 //! C. Lubich, G. Wanner, "Geometric Numerical Integration", 2nd ed., V.3.2. Runge–Kutta–Nyström splittings
 //! SRKN6b and SRKN14a by S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313; what follows from

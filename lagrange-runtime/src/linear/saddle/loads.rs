@@ -3,14 +3,14 @@
 //! A load N = |F| is an unknown like the reactions κ that its force F is a sum of. Friction changes the
 //! reactions in proportion to N, so that F = a + X N. Here a is the force without friction and X the response
 //! to a load of one. Each load gives one scalar equation |a + X N| = N, which is convex. Newton's method from
-//! N = 0 finds its solution, which exists and is unique where |X| < 1. Otherwise the equation has no solution
+//! N = 0 finds its solution, which exists and is unique where |X| < 1. Otherwise the equation may have none
 //! or two, and friction jams. Several loads have one solution where the matrix of all |X| is a contraction,
-//! which its pivots tell.
+//! which the pivots of 1 − |X| tell.
 //!
-//! Along a motion N² = F · F holds for the series as well. Its order zero is the equation above. Its order k
-//! above gives N\[k] = n · F\[k] plus terms of lower orders, with the direction n = F\[0] / N\[0]: a linear
-//! equation. Where a force begins to grow from zero, its first order that is not zero has the part of order
-//! zero.
+//! Along a motion N² = F · F holds for the series as well. Its order zero is the equation above. Each order
+//! k > 0 gives N\[k] = n · F\[k] plus terms of lower orders, with the direction n = F\[0] / N\[0]: a linear
+//! equation. Where a force begins to grow from zero, its first order that is not zero takes the place of
+//! order zero.
 
 use super::vectors::{pick, put};
 use crate::linear::Lu;
@@ -20,7 +20,7 @@ use crate::number::real::Real;
 /// The most steps of Newton's method. It converges by squares, and from N = 0 without turning back.
 const ITERATIONS: usize = 64;
 
-/// The number of rounding errors of a force with which a load is compared.
+/// Newton's method has converged where a load changes by no more than so many rounding errors of its force.
 const ULPS: f64 = 16.0;
 
 /// A row that is no constraint: its multiplier follows from others.
@@ -130,7 +130,8 @@ impl<R: Real, const C: usize> Loads<R, C> {
         self.settled(free, |_, _| None)
     }
 
-    /// The same of an order of a series, whose lower ones are `known`, a row each, in units of `rate`.
+    /// The same for an order of a series, times `rate`, as `free` is. `known` has the multipliers of the
+    /// lower orders, a row each.
     pub(super) fn solve_order(&self, free: &[R; C], rate: R, known: &[[R; C]]) -> [R; C] {
         self.settled(free, |row, parts| {
             let first = known.iter().position(|known| pick(known, row) != R::zero())?;
@@ -150,7 +151,7 @@ impl<R: Real, const C: usize> Loads<R, C> {
         })
     }
 
-    /// Newton's method, beside sizes whose tangents are given.
+    /// Newton's method for the sizes whose tangents are not `given`.
     fn settled(&self, free: &[R; C], given: impl Fn(usize, &[usize]) -> Option<Tangent<R, C>>) -> [R; C] {
         let mut multipliers = *free;
         let mut has_converged = false;
@@ -203,7 +204,7 @@ impl<R: Real, const C: usize> Loads<R, C> {
     }
 }
 
-/// The tangent of the size of a force at its present value. A force that is zero has none.
+/// The tangent of the size of a force at its present value. The direction of a force of zero is zero.
 fn tangent<R: Real, const C: usize>(multipliers: &[R; C], parts: &[usize]) -> Tangent<R, C> {
     let size = parts.iter().fold(R::zero(), |sum, &part| sum.hypot(pick(multipliers, part)));
     let mut direction = [R::zero(); C];

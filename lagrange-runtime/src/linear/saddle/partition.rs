@@ -14,12 +14,13 @@ use super::Split;
 use super::scaled::Scaled;
 use super::vectors::{add_scaled, pick, put, scale, smallest};
 
-/// The longest row whose largest entry is certain to be above [`CLEAR`], because the entries add up to one.
+/// A length of rows up to which the largest entry is certainly above [`CLEAR`]: the magnitudes add up to one.
 pub(super) const WIDEST: usize = 128;
 
-/// Fills `split` from the active rows that are clearly independent, and says how much they are. `None`, with
-/// `split` in disorder, if a pivot is a smaller part of its row than [`CLEAR`], in any lane, for the
-/// coordinates are common to all.
+/// Fills `split` from the active rows where they are clearly independent, and says how much they are.
+///
+/// `None`, with `split` in disorder, if there are more of them than coordinates, or if a pivot is no larger a
+/// part of its row than [`CLEAR`]: in any lane, since the coordinates are common to all lanes.
 #[inline(always)]
 pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     scaled: &Scaled<R, N, C>,
@@ -94,7 +95,7 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     Some(independence)
 }
 
-/// The entry whose smallest lane is largest, and its index: by halves, so that few comparisons wait for
+/// The index of the entry whose smallest lane is largest: by halves, so that few comparisons wait for
 /// others.
 #[inline(always)]
 fn largest<R: Real, const N: usize>(row: &[R; N]) -> usize {

@@ -18,7 +18,7 @@ pub struct Parts<R, const N: usize, const C: usize, L = ()> {
     pub shares: L,
     /// All forces except those of constraints, minus the bias.
     pub forces: [R; N],
-    /// γ: the value of A a for which the second derivatives of the constraints vanish.
+    /// γ: the value of A a for which d²f/dt², or dg/dt of a nonholonomic constraint, vanishes.
     pub gamma: [R; C],
 }
 

@@ -17,7 +17,7 @@ pub(in crate::linear) struct Scaled<R, const N: usize, const C: usize> {
     pub(super) units: [R; N],
     /// Sizes of the rows, in units of the coordinates.
     pub(super) sizes: [R; C],
-    /// 1 / sizes: of the magnitudes in a row the sum is 1. A row of zeros becomes NaN.
+    /// 1 / sizes, by which the magnitudes in a row add up to 1. A row of zeros becomes NaN.
     pub(super) factors: [R; C],
     pub(super) rows: [[R; N]; C],
 }

@@ -40,7 +40,7 @@ pub struct Sparse<R, const N: usize, const C: usize, const A: usize, const L: us
 
 impl<R: Real, const N: usize, const C: usize, const A: usize, const L: usize> Sparse<R, N, C, A, L> {
     /// Factors. An inverse mass of zero belongs to a coordinate that nothing moves. A negative one gives NaN
-    /// where it makes a row of A negative.
+    /// where a pivot is not clearly positive; it is a [defect](SaddlePoint::negative) in any case.
     #[inline]
     #[must_use]
     pub fn factor(inverse_masses: [R; N], gradients: SparseRows<R, A>) -> Self {

@@ -39,7 +39,7 @@ enum Jam<R, const C: usize> {
         column: [R; C],
     },
     Regular(Lu<R, C>),
-    /// The same of given loads, which depend on reactions.
+    /// The matrix with which reactions follow from given loads, and the loads, which depend on reactions.
     Loaded(Lu<R, C>, Loads<R, C>),
     Singular,
 }
@@ -149,7 +149,7 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
         self.driven(v, loads.solve_order(&lu.solve(free), rate, known))
     }
 
-    /// The change of v by friction.
+    /// Adds the change of v by friction.
     #[inline]
     fn driven(&self, mut v: [R; N], kappa: [R; C]) -> ([R; N], [R; C]) {
         for (driven, &x) in self.driven.iter().zip(&kappa) {

@@ -105,7 +105,7 @@ fn ranks_are_found_in_any_units() {
 
 #[test]
 fn rows_are_not_told_apart_by_their_squares() {
-    // The square of the sine of 1e-7 is a few ulps; the sine has nine digits.
+    // The square of a sine of 1e-7 is some 50 ε, so it has two digits; the sine has nine.
     for distance in [1e-3, 1e-5, 1e-7] {
         let schur = factor([1.0; 3], [[1.0, 0.0, 0.0], [1.0, distance, 0.0]]);
         assert_eq!(schur.independence().rank, 2);

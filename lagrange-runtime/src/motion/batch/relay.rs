@@ -1,4 +1,4 @@
-//! [`Relay`]: a motion after the other in each lane of a SIMD vector.
+//! [`Relay`]: one motion after another in each lane of a SIMD vector.
 //!
 //! A [`Batch`](super::Batch) moves all its lanes to one time and stops if one of them cannot go on. Here each
 //! lane has an end of its own, and a lane that has arrived, or has stopped, is given another motion. What a
@@ -42,8 +42,8 @@ pub enum Standing {
     Running,
     /// It is at its end. The next step takes it for idle.
     Arrived,
-    /// It cannot go on: its numbers are not finite, its steps vanish, or they are too many. A motion of its
-    /// own tells the cause.
+    /// It cannot go on in its lane: its numbers are not finite, its steps vanish or are too many, its
+    /// equations have no solution, or its constraints fail a check. A motion of its own tells the cause.
     Stopped,
 }
 
@@ -270,7 +270,7 @@ where
         tolerated::<S, N, K>(&self.state, &self.series, bounds, steepest, self.orders, span)
     }
 
-    /// The step of a lane; none if it does not move.
+    /// The step of a lane, of no length where only its unit changes. `None` leaves the lane as it is.
     fn length(&mut self, lane: usize, tolerated: Lane<S::Scalar>) -> Option<Step<Lane<S::Scalar>>> {
         let number = Lane::<S::Scalar>::from_f64;
         let zero = number(0.0);
@@ -296,8 +296,8 @@ where
             rows.get(self.orders - 1).is_some_and(|row| row.iter().all(|x| x.lane(lane).is_finite()))
         };
         let is_finite = tolerated.is_finite() && is_finite(&self.series.q) && is_finite(&self.series.v);
-        // A lane out of the range of the arithmetic, or of the domain of the equations, and units far from
-        // the steps: coefficients near the ends of the arithmetic.
+        // The unit changes where the lane is out of the range of the arithmetic or of the domain of the
+        // equations. So it does where it is far from the step: coefficients are near the ends of that range.
         let factor = if !is_finite {
             Some(number(1e-3))
         } else if tolerated < number(1.0 / NEAR) || tolerated > number(NEAR) && left.abs() > unit {
@@ -366,7 +366,7 @@ where
         (state, residue)
     }
 
-    /// Notes the end of a lane that is there.
+    /// Notes that a lane has arrived, or stops it if its numbers are not finite.
     fn arrives(&mut self, lane: usize) {
         let (t, target) = (self.state.t.lane(lane), self.target.lane(lane));
         let left = (target - t) - self.residue.t.lane(lane);

@@ -38,7 +38,8 @@ impl<R: Ordered> Interval<R> {
     }
 }
 
-/// The change of a coordinate, as a part of it, over which the sensitivity of a guard is measured.
+/// The larger one of two changes of a number, as a part of it, over which the sensitivity of a guard is
+/// measured. The other one is √ε.
 const WIDE: f64 = 1.0 / 16.0;
 
 /// The number of states at which an interval is first sampled, its ends included.

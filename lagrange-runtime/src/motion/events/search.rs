@@ -20,8 +20,8 @@ const GROWTH: f64 = 4.0;
 /// How much shorter than the step an interval may become only because its start drowns in its end.
 const SHORTEST: f64 = 1e-13;
 
-/// A time that is less than this part of another is not known as finely as its own last digit. Times next to
-/// zero are an exception: they are finer than the states are.
+/// A start that is less than this part of the end counts as zero: the last digits of times next to zero are
+/// finer than the states are.
 const FAR: f64 = 1e-9;
 
 /// The largest number of consecutive intervals as short as the resolution of time. A kink or a jump takes
@@ -159,7 +159,7 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         let Some(end) = self.reach(motion, guards, attempts)? else { return Ok(()) };
         let step = (end - from).abs();
         let ahead = if end < from { -R::one() } else { R::one() };
-        // The time of the near end, if the far end is much later.
+        // Time is resolved as at the start of the interval, unless that is next to zero.
         let near = if from.abs() > R::from_f64(FAR) * end.abs() { from.abs() } else { end.abs() };
         let resolution = R::from_f64(RESOLVED) * R::epsilon() * near + step_size::smallest();
         let mut length = self.length.map_or(step, |length| smaller(length, step));

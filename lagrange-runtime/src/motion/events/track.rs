@@ -21,8 +21,8 @@ const DROWNED: f64 = 256.0;
 /// at the start of the next.
 const AT_START: f64 = 4.0;
 
-/// A part of an interval to take the slope over. Polynomials of degree 64 grow little beyond their interval
-/// by it.
+/// A part of an interval to take the slope over. By as much beyond the interval, Chebyshev polynomials of
+/// degree 64 grow to cosh 2, and not more.
 const PART: f64 = 1.0 / 4096.0;
 
 /// A guard that was zero has jumped if it is now more than this many times its noise away from zero.
@@ -78,8 +78,8 @@ impl<R: Ordered> Track<R> {
         }
     }
 
-    /// A zero at the end of the interval that has not been counted since the guard has not left it. From then
-    /// on it counts.
+    /// A zero at the end of the interval that has not been counted, because the guard has not left it. From
+    /// this call on it has been counted.
     pub fn take_last(&mut self, interval: Interval<R>) -> Option<Pending<R>> {
         let Memory::Touching(before) = self.memory else { return None };
         self.memory = Memory::Zero(None);
@@ -196,8 +196,8 @@ impl<R: Ordered> Track<R> {
         self.pending = Some(Pending { theta, crossing: crossing(kind, interval), blur });
     }
 
-    /// Finds the next zero on the interval, behind those before `after`, to the last bit. At the end of them
-    /// the memory is that of the end of the interval.
+    /// Finds the next zero on the interval to the last bit, at `after` or behind it. Where none is left, the
+    /// memory becomes that of the end of the interval.
     pub fn refill<S, C, M, G, const N: usize, const K: usize>(
         &mut self,
         watched: &mut Watched<'_, '_, S, C, M, G, N, K>,

@@ -2,8 +2,8 @@
 
 use crate::number::real::{Ordered, larger};
 
-/// Steps after which the bracket counts as small enough. Halving alone, which every other step is at worst,
-/// needs twice the number of bits.
+/// Steps after which the bracket counts as small enough. At worst every other step halves the bracket, and
+/// the root takes twice as many steps as it has bits.
 const STEPS: usize = 400;
 
 /// The root of `f` between two points with values of opposite sign, to the last bit or two.

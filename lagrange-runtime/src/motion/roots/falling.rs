@@ -15,7 +15,8 @@ use crate::series::taylor::{TERMS, Taylor, shift};
 /// How often the interval is halved at most: where it is that short, two roots count as none.
 const LEVELS: usize = 26;
 
-/// Rounds that find the reach of a series; what they leave is found by the next series.
+/// Rounds that find the reach of a series, or where a guard is clear. What they leave is found by the next
+/// series.
 const AGREED: usize = 6;
 
 /// A guard may have so many times the size that it has where it starts: what is far away, as the end of a
@@ -44,7 +45,7 @@ pub(crate) struct Fall<R> {
 pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<Fall<R>> {
     let zero = R::zero();
     let first = guard.start();
-    // What the others take away at most leaves it above zero.
+    // What the other terms take away at most leaves it above zero.
     if first + guard.down() > guard.error {
         return None;
     }
@@ -117,7 +118,7 @@ fn to_bernstein<R: Ordered>(powers: &mut [R]) {
     let two = R::one() + R::one();
     let degree = R::from_f64(powers.len() as f64 - 1.0);
     let (mut weight, mut order) = (R::one(), R::zero());
-    // The same from both ends.
+    // The weights are the same from both ends.
     let mut terms = &mut *powers;
     while let [first, rest @ .., last] = terms {
         *first *= weight;
@@ -177,7 +178,7 @@ pub(crate) fn rises<R: Ordered>(guard: &Taylor<R>, before: Before) -> bool {
     !gains.is_empty() && gains.iter().all(|&term| term > noise)
 }
 
-/// Those of a polynomial of this much more than itself.
+/// The changes of sign of a polynomial to which `more` is added.
 fn changes<R: Ordered>(powers: &mut [R], more: R) -> Changes {
     if let Some(first) = powers.first_mut() {
         *first += more;
@@ -270,7 +271,7 @@ fn root<R: Ordered>(polynomial: &[R], mut low: R, mut high: R, noise: R) -> R {
     }
 }
 
-/// The value of a polynomial: odd and even powers side by side, which neither waits for.
+/// The value of a polynomial: odd and even powers side by side, neither of which waits for the other.
 fn value<R: Ordered>(polynomial: &[R], theta: R) -> R {
     let square = theta * theta;
     let (pairs, rest) = polynomial.as_chunks::<2>();

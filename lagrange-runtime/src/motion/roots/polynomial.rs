@@ -267,8 +267,8 @@ impl<R: Ordered> Polynomial<R> {
         Self { coefficients, degree: self.degree.saturating_sub(1), noise: R::zero() }
     }
 
-    /// The coefficients on the part of the step that starts at `low`, where the degree is at most that of
-    /// `most`, and the degree there.
+    /// The coefficients on the part of the step that starts at `low`, where `degree` is known to be enough,
+    /// and the degree that is needed there.
     pub(super) fn on(&self, low: R, width: R, degree: usize) -> ([R; DEGREE + 1], usize) {
         let n = degree.max(2).next_power_of_two().min(DEGREE);
         let mut samples = [R::zero(); DEGREE + 1];

@@ -1,4 +1,4 @@
-//! Motions with known ends: accuracy, landing, sampling, inputs, and every way to fail.
+//! Motions with known ends: accuracy, landing, sampling, inputs, and failures.
 
 extern crate std;
 use core::f64::consts::{PI, TAU};

@@ -20,10 +20,11 @@ const HALVINGS: i32 = 6;
 /// least.
 const QUARTER: f64 = 0.25;
 
-/// The end of a step that has lost more energy, in as many parts as obey the order. Where constraints are far
-/// apart the loss is that of the caller's length.
+/// The end of a step that has changed the energy by more than `is_kept` allows, in as many parts as obey the
+/// order. Where constraints are far apart the loss is that of the caller's length, and the step stands.
 ///
-/// # Errors [`Cause::StepTooLong`] where none do, and why parts cannot be taken.
+/// # Errors
+/// [`Cause::StepTooLong`] where no number of parts obeys it, and why parts cannot be taken.
 #[cold]
 #[inline(never)]
 pub(super) fn mended<S, M, const N: usize, const K: usize>(

@@ -2,9 +2,9 @@
 //!
 //! The `libm` crate computes these in double precision. On a processor whose floating-point unit knows `f32`
 //! alone, each of them would take thousands of instructions and link the emulation of doubles, several
-//! kilobytes. The functions here need neither. Their largest errors, found by trying all arguments, are 2.5
-//! units in the last place for sine and cosine (1.1e-7 at most), 4 for the tangent and the arc sine, 1 for
-//! the others.
+//! kilobytes. The functions here need neither. Their largest errors, found by trying all arguments, are 2.8
+//! units in the last place for sine and cosine (1.2e-7 at most), 4.8 for the tangent, 2.6 for the arc sine, 1
+//! for the cube root. For the hypotenuse samples show 2.
 
 pub(crate) use libm::*;
 
@@ -17,7 +17,7 @@ const TO_INTEGER: f32 = 12_582_912.0;
 const HALF_PI: [f32; 3] =
     [f32::from_bits(0x3fc9_1000), f32::from_bits(0xb695_7800), f32::from_bits(0x2e85_a309)];
 
-/// Angles from here on are reduced by integers \[rad].
+/// Angles from here on are reduced in integer arithmetic \[rad].
 const LARGE: f32 = 2048.0;
 
 /// sin x = x + x³ (S₀ + S₁ x² + S₂ x⁴) for |x| ≤ π/4 (Moshier's Cephes library).
@@ -34,7 +34,7 @@ pub(crate) fn sincosf(x: f32) -> (f32, f32) {
     let sin = rest + rest * (square * (S[0] + square * (S[1] + square * S[2])));
     let cos = 1.0 + square * (-0.5 + square * (C[0] + square * (C[1] + square * C[2])));
     let (sin, cos) = if quarter & 1 == 0 { (sin, cos) } else { (cos, sin) };
-    // Bit 1 of the quarter is the sign of the sine, and of the cosine a quarter earlier.
+    // Bit 1 of the quarter is the sign of the sine. The cosine has the sign of the sine a quarter turn later.
     let signed = |x: f32, quarter: u32| f32::from_bits(x.to_bits() ^ ((quarter & 2) << 30));
     (signed(sin, quarter), signed(cos, quarter.wrapping_add(1)))
 }
@@ -58,8 +58,8 @@ fn reduce_large(x: f32) -> (u32, f32) {
         [0, 0xa2f9_836e, 0x4e44_1529, 0xfc27_57d1, 0xf534_ddc0, 0xdb62_9599, 0x3c43_9041, 0xfe51_63ab];
     let bits = x.to_bits();
     let (exponent, mantissa) = ((bits >> 23) & 0xff, (bits & 0x7f_ffff) | 0x80_0000);
-    // From this digit on, the digit times the last bit of the mantissa is 2. The digits before make full
-    // turns.
+    // The product of this binary digit and the last bit of the mantissa is two quarter turns. Those of the
+    // digits before are full turns.
     let first = exponent.wrapping_sub(120);
     let Some(&[a, b, c, d]) = DIGITS.get(first as usize / 32..).and_then(|digits| digits.first_chunk())
     else {

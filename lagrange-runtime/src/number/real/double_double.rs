@@ -4,7 +4,7 @@
 //! 224; the algorithms with proven errors are those of M. Joldes, J.-M. Muller, V. Popescu, *Tight and
 //! rigorous error bounds for basic building blocks of double-word arithmetic*, ACM Trans. Math. Softw. 44
 //! (2017) 15. With u = 2⁻⁵³, sums are right to 3u² ≈ 4e-32 of the result, however much cancels, products to
-//! 5u², quotients and roots to 10u².
+//! 5u², quotients to 15u², roots to 4u².
 //!
 //! Infinities and NaN behave as those of `f64`: the low part of a number that is not finite is zero.
 
@@ -225,7 +225,7 @@ impl Real for DoubleDouble {
         Self::from(self.high.signum())
     }
 
-    /// 2⁻¹⁰⁴: the largest change of 1 by a single operation.
+    /// 2⁻¹⁰⁴ = 4u², about the error of a single operation (u = 2⁻⁵³).
     #[inline]
     fn epsilon() -> Self {
         Self::from(f64::EPSILON * f64::EPSILON)

@@ -236,7 +236,7 @@ mod tests {
         -1.0,
     ];
 
-    /// The function of a number beside others, in vectors of any length: its bits do not depend on them.
+    /// The function of a number has the same bits in vectors of any length, whatever the other lanes hold.
     fn alone(
         name: &str,
         two: impl Fn(Lanes<f64x2>, Lanes<f64x2>) -> Lanes<f64x2>,

@@ -40,7 +40,7 @@ fn the_sweep_is_the_convolution() {
     sweeps::<16, 3>();
 }
 
-/// Products, a square among them.
+/// Products, squares among them.
 struct Products;
 
 impl Pairs<5> for Products {

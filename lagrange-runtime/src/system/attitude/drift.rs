@@ -50,7 +50,8 @@ fn product<R: Real>(columns: &Matrix<R>, [x, y, z]: [R; 3]) -> [R; 3] {
 mod tests {
     use super::*;
 
-    /// A steady spin about an axis of the body: along it φ′ = −ω × φ for deviations at rest in space.
+    /// D = −½ ω × at the identity. Deviations at rest in space have φ′ = −ω × φ, of which D φ is half. The
+    /// other half comes from δρ′.
     #[test]
     fn deviations_of_a_steady_spin_turn_backwards_in_body_axes() {
         // At the identity, ρ = 0, ρ′ = ω and ρ″ = 0 to the first order, J⁻¹ = 1 and (J⁻¹)′ x = −½ ω × x.

@@ -16,7 +16,7 @@ pub(super) struct Motion<R, const N: usize, const G: usize> {
 }
 
 impl<R: Real, const N: usize, const G: usize> Motion<R, N, G> {
-    /// Of nothing. What is as large is filled in where it stands, because a result would be copied.
+    /// Of nothing. What is this large is filled in where it stands, because a result would be copied.
     pub fn new() -> Self {
         let nothing = Pair::zero();
         Motion {

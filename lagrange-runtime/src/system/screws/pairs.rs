@@ -5,7 +5,7 @@ use super::motion::Motion;
 use super::{Group, Screws};
 use crate::number::real::Real;
 
-/// Coordinates that are taken together with another one, on vectors.
+/// The number of coordinates that are paired with another one at once, on vectors.
 pub(super) const LANES: usize = 8;
 
 type Matrix<R, const N: usize> = [[R; N]; N];
@@ -23,7 +23,7 @@ impl<R: Real, const N: usize, const G: usize> Masses<R, N, G> {
         Masses { composites: [Composite::zero(); G], momenta: [Pair::zero(); N] }
     }
 
-    /// Also M, into a matrix of zeros.
+    /// Fills in the bodies, and M into a matrix of zeros.
     #[inline(never)]
     pub fn fill<const C: usize, const P: usize>(
         &mut self,
@@ -225,7 +225,7 @@ impl<R: Real, const N: usize> Path<R, N, 18> {
     }
 
     /// What stands in the derivatives by q and v of some coordinates with one that they carry, less the sign:
-    /// their rows, then their columns. Apart for the same reason.
+    /// their rows, then their columns. A function of its own, as [`Path::along`] is.
     #[inline(never)]
     fn products(&self, moving: &Moving<R>, first: usize, products: &mut [[R; LANES]; 4]) {
         let Moving { momentum, by_q, by_v, back } = moving;

@@ -32,7 +32,7 @@ const CHANGE: usize = 24;
 #[test]
 fn operations_are_those_that_the_engine_takes_them_for() {
     let link = |parent, coordinates| Group { parent, coordinates, given: 0 };
-    // A vector is as many numbers here.
+    // The scalar of this test has no vectors: each of their numbers counts.
     let block = LANES * BLOCK;
     let alone = BODIES + RATES + COORDINATE + WITHIN;
     let carried = alone + CARRIED + ABOVE + block;

@@ -85,7 +85,7 @@ fn parallel(s: f64) -> Point<3> {
     ([s, 0.0, s], [1.0, 0.0, 1.0])
 }
 
-/// The table of the design: equal bars, through flat or away from it at 5 rad/s.
+/// Equal bars, through the flat position or away from it at 5 rad/s.
 pub fn equal(count: usize) -> Starts<FourBar, 3> {
     Starts {
         name: "angles",

@@ -1,5 +1,5 @@
-//! A slider-crank with equal bars. With the slider above the crank's hinge both bars could turn on as one,
-//! the slider at rest.
+//! A slider-crank with equal bars. With the slider at the crank's hinge both bars could turn on as one, the
+//! slider at rest.
 
 use std::f64::consts::FRAC_PI_2;
 

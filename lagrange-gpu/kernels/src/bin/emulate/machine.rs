@@ -33,7 +33,7 @@ impl Machine {
     /// A machine with the constants of a module.
     ///
     /// # Errors
-    /// If an operand takes the address of something that has no address.
+    /// If a constant holds the address of a name that is no constant.
     pub fn new(module: Module) -> Result<Self, String> {
         let mut machine =
             Self { module: Module::default(), memory: vec![0; BASE], names: HashMap::new(), count: 0 };
@@ -52,7 +52,7 @@ impl Machine {
         Ok(machine)
     }
 
-    /// The kernel of a name on one thread of a block of 64, the first one. Arguments are words.
+    /// Runs the kernel of a name in one thread of the first block, which has 64. Arguments are words.
     pub fn run(&mut self, kernel: &str, thread: u64, arguments: &[u64]) -> Result<(), String> {
         let places: Vec<u64> = arguments
             .iter()
@@ -221,7 +221,7 @@ impl Machine {
             (_, [Operand::Register(to), from @ ..]) => {
                 let values = from.iter().map(|one| self.value(frame, one)).collect::<Result<Vec<_>, _>>()?;
                 let result = operation(&parts, &values)?;
-                // These name the type of what they take.
+                // The last part of these names is the type of what they take, not that of the result.
                 let plain = parts[0] != "setp"
                     && !matches!(parts.get(1), Some(&"wide"))
                     && parts[0] != "cvt"

@@ -244,7 +244,7 @@ fn operand(text: &str, numbers: &mut HashMap<String, usize>) -> Result<Operand, 
     if let Some(digits) =
         text.strip_prefix("0d").or_else(|| text.strip_prefix("0f")).or_else(|| text.strip_prefix("0x"))
     {
-        // Some say that they have no sign.
+        // Some end in `U`, since they are unsigned.
         return Ok(Operand::Constant(hexadecimal(digits.trim_end_matches('U'))?));
     }
     if text.contains(['|', '!']) {

@@ -196,8 +196,8 @@ fn parts_are_those_that_act_on_each_other() {
 
 #[test]
 fn defective_zeros_are_exact() {
-    // Four masses in a row, free, with dampers between them, mixed by a turn: two zeros and no other near
-    // them.
+    // Four masses in a row, free, with springs and dampers between them, mixed by a turn: two zeros and no
+    // other near them.
     let mut samples = Samples(9);
     for _ in 0..CASES {
         let springs = DMatrix::from_fn(4, 4, |i, j| match i.abs_diff(j) {

@@ -1,4 +1,4 @@
-//! Tolerances without an absolute part.
+//! Tolerances in any units, and motions with rounding errors and jumps that no step makes small.
 
 use crate::integrator::Field;
 use crate::integrator::dop853::Dop853Memory;
@@ -81,7 +81,7 @@ fn roundings_alone_end_no_motion() {
         // The force is a staircase of about 70 steps at the most, each of which is a jump.
         assert!(attempts < 200_000, "{start}: {attempts}");
     }
-    // A pendulum upside down: its force is a multiple of the ulp of π, its velocity starts from there.
+    // A pendulum upside down: its force is smaller than an ulp of π, and its velocity grows from that.
     let pendulum = |_: f64, q: &[f64; 1], _: &[f64; 1]| [-q[0].sin()];
     let (state, attempts) = moved(pendulum, ([core::f64::consts::PI], [0.0]), to(1e-10), 10.0).unwrap();
     assert!((state.q[0] - core::f64::consts::PI).abs() < 1e-11, "{state:?}");

@@ -1,4 +1,4 @@
-//! Lengths that follow from the terms of a series.
+//! States inside a step, and lengths and weights that follow from the terms of a series.
 
 use super::*;
 

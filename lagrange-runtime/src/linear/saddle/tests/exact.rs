@@ -20,7 +20,7 @@ fn a_pendulum_in_cartesian_coordinates() {
 
 #[test]
 fn coordinates_without_mass_follow_those_they_are_tied_to() {
-    // A spring of stiffness 0 between: z = 3 x with no mass of its own, and w between z and y.
+    // Of (x, y, z, w), z = 3 x and w = (y + z)/2 have no mass of their own.
     let mass = diagonal_matrix(&[2.0, 5.0, 0.0, 0.0]);
     let a = [[-3.0, 0.0, 1.0, 0.0], [0.0, -0.5, -0.5, 1.0]];
     for saddle in [
@@ -69,7 +69,7 @@ fn a_motion_without_inertia_is_named() {
     );
     // Tied, it is not; and what ties it may be small.
     assert_eq!(Saddle::factor(&mass, &[[1.0, 1.0, 1.0, 1e-9]]).defect(), None);
-    // Two couplings that leave a difference without inertia, whatever the constraint.
+    // A coupling that leaves a difference of two coordinates without inertia, unless it is constrained.
     let mass = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 1.0]];
     for factor in [Saddle::factor, Saddle::factor_indefinite] {
         let defect = factor(&mass, &[[1.0, 0.1, 0.1]]).defect();

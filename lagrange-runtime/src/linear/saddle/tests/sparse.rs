@@ -90,7 +90,7 @@ fn chain(links: usize) -> Rods {
     (0..links).map(|i| [i.checked_sub(1), Some(i)]).collect()
 }
 
-/// The same between two places that are held.
+/// A chain between two places that are held.
 fn held(links: usize) -> Rods {
     (0..links).map(|i| [i.checked_sub(1), (i + 1 < links).then_some(i)]).collect()
 }
@@ -195,7 +195,7 @@ fn rows_that_depend_on_each_other_are_left_to_pivoting() {
     // A ring, likewise.
     let folded = |i: usize| if i % 3 == 1 { 6.0 - (i / 3).abs_diff(6) as f64 } else { 0.0 };
     singular::<36, 12, 72, 21>(&ring(12), 3, &core::array::from_fn(folded), 11);
-    // Loose, it is regular: no pivot is small in the order from what is held.
+    // A loose chain is regular: no pivot is small in the order from what is held.
     let loose: [f64; 24] =
         core::array::from_fn(|i| if i.is_multiple_of(2) { (i / 2 + 1) as f64 } else { 0.0 });
     let a = gradients(&chain(12), 2, &loose);

@@ -89,7 +89,7 @@ fn a_truncated_series_reaches_as_far_as_it_converges() {
     let part = sine(27.0 * reach);
     assert_eq!(super::reach(&part, 25, 1e-15), 1.0);
     assert!((part.at(0.9) - (24.3 * reach).sin()).abs() < 1e-13);
-    // One that ends before has left nothing away.
+    // One that ends before has left nothing out.
     assert_eq!(super::reach(&Taylor::of([1.0, -50.0, 30.0].into_iter()), 25, 1e-15), 1.0);
 }
 

@@ -72,7 +72,8 @@ fn exponentials() {
 #[test]
 fn roots_of_any_order() {
     for (order, kind) in (1..=9).zip([Kind::Rising, Kind::Grazing].into_iter().cycle()) {
-        // At the ends of a step, its polynomial is not to be had far enough outside for the highest orders.
+        // At an end of the step the kind of a root of the highest orders is not known: it would show too far
+        // outside.
         let roots = if order < 6 { &[0.0, 0.3, 0.5, 0.7, 1.0][..] } else { &[0.3, 0.5, 0.7][..] };
         for &root in roots {
             let found = zeros(Memory::Unknown, |theta: f64| (theta - root).powi(order));

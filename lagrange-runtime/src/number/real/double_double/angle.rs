@@ -3,15 +3,15 @@
 
 use crate::number::elements::{Each, array};
 
-/// The words of a fixed-point number that are its fraction; one more is its integer part. The lowest come
-/// first.
+/// The number of words in the fraction of a fixed-point number. One more word is its integer part. The
+/// lowest words come first.
 const FRACTION: usize = 5;
 
 /// A fixed-point number modulo 2⁶⁴, negative ones in two's complement.
 type Fixed = [u64; FRACTION + 1];
 
-/// The bits of 2/π after the point, by mpmath: 53 for the largest mantissa times its exponent, 320 for the
-/// fraction.
+/// The first 1344 bits of 2/π after the point, by mpmath: 971 for the largest exponent, 53 for a mantissa,
+/// 320 for the fraction.
 const TWO_OVER_PI: [u64; 21] = [
     0xa2f9_836e_4e44_1529,
     0xfc27_57d1_f534_ddc0,
@@ -39,8 +39,8 @@ const TWO_OVER_PI: [u64; 21] = [
 /// The multiple of a quarter turn that is nearest to `high` + `low` radians, modulo four, and what is left:
 /// whether it is negative, the zeros of its fraction before the first bit, and the 128 bits from there.
 ///
-/// Bits of 2⁻²⁶⁷ and more are right. No sum of two doubles with 107 bits in this range is expected to come
-/// closer to a multiple than 2⁻¹³⁰, because there are fewer than 2¹³⁰ of them: 107 bits are left.
+/// Bits of 2⁻²⁶⁶ and more are right. No sum of two doubles with 107 bits in this range is expected to come
+/// closer to a multiple than 2⁻¹³⁰, because there are fewer than 2¹³⁰ of them. So the 128 bits are right.
 pub(super) fn nearest_quarter(high: f64, low: f64) -> (u64, bool, u32, u128) {
     let mut turns = sum(quarter_turns(high), quarter_turns(low));
     let mut quadrant = turns[FRACTION];
@@ -63,7 +63,8 @@ fn quarter_turns(x: f64) -> Fixed {
         0 => (fraction, -1074),
         normal => (fraction | (1 << 52), normal - 1075),
     };
-    // x = mantissa · 2^exponent. Bits of 2/π of larger weight give multiples of 2⁶⁴.
+    // x = mantissa · 2^exponent. Bits of 2/π · 2^exponent of weight 2⁶⁴ and more give multiples of 2⁶⁴, which
+    // are left out.
     let mut product = [0; FRACTION + 1];
     let mut carry = 0_u128;
     for (place, word) in product.iter_mut().enumerate() {

@@ -43,7 +43,7 @@ pub(super) fn two_product(a: f64, b: f64) -> DoubleDouble {
 #[allow(dead_code)]
 #[inline(always)]
 pub(super) fn split_product(a: f64, b: f64) -> DoubleDouble {
-    // Above 2⁹⁹⁶ the splitting overflows.
+    // From 2⁹⁹⁷ on the splitting overflows.
     const LARGE: f64 = f64::from_bits((1023 + 995) << 52);
     if a.abs() > LARGE || b.abs() > LARGE {
         return large_product(a, b);

@@ -6,7 +6,7 @@ use super::arithmetic::{add, div, mul, mul_add, power_of_two, sub};
 use super::exponential::{INVERSE_FACTORIALS, nearest_integer};
 use crate::number::math;
 
-/// A quarter of a half turn, to the double below.
+/// An eighth of a turn, rounded down.
 const EIGHTH: f64 = core::f64::consts::FRAC_PI_4;
 
 pub(super) fn sin_cos(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
@@ -88,7 +88,7 @@ pub(super) fn atan2(y: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
             eighths => mul(DoubleDouble::FRAC_PI_2, DoubleDouble::from(0.5 * nearest_integer(eighths))),
         };
     }
-    // So thin a triangle: the angle is its tangent, and the products below would underflow.
+    // In so thin a triangle the angle is its tangent, and the products below would underflow.
     const THIN: f64 = f64::from_bits((1023 - 56) << 52);
     if x.high > 0.0 && y.high.abs() < THIN * x.high {
         return div(y, x);

@@ -16,7 +16,7 @@ const SHOWN: usize = 32;
 /// The most digits after the point that can be asked for.
 const MOST: i32 = 400;
 
-/// The longest text: 309 digits before the point.
+/// More than the longest text has: 309 digits before the point, [`MOST`] behind it.
 const WIDEST: usize = 720;
 
 /// Why a text is no number.
@@ -42,7 +42,7 @@ impl FromStr for DoubleDouble {
             return Ok(Self::from(rough));
         }
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-        // Beyond this every number is infinite or zero; no number of digits makes up for it.
+        // Beyond this every number is infinite or zero, unless its text has as many digits.
         let clamped = |_| if exponent.starts_with('-') { -100_000 } else { 100_000 };
         let mut exponent = exponent.parse::<i32>().unwrap_or_else(clamped).clamp(-100_000, 100_000);
         let (mut value, mut count, mut inexact, mut after_point) = (0_u128, 0, false, false);
@@ -61,7 +61,7 @@ impl FromStr for DoubleDouble {
                 _ => {}
             }
         }
-        // The largest number has 309 digits before the point, the smallest 324 zeros behind it.
+        // The largest number has 309 digits before the point, the smallest 323 zeros behind it.
         if value == 0 || !(-400..=310).contains(&exponent) {
             return Ok(Self::from(rough));
         }
@@ -85,7 +85,7 @@ impl Decimal {
     /// A finite size above zero.
     fn new(x: DoubleDouble) -> Self {
         let (integer, power) = integer(x);
-        // log₁₀ 2 = 0.30103 from below; one too small at times.
+        // log₁₀ 2 ≈ 0.30103. The exponent from the bits is one too small at times.
         let mut exponent = ((integer.bits() + power - 1) * 30103).div_euclid(100_000);
         let mut scaled = scaled(integer, power, DIGITS as i32 - 1 - exponent);
         if scaled >= 10_u128.pow(DIGITS as u32) {
@@ -160,7 +160,8 @@ fn integer(x: DoubleDouble) -> (Integer, i32) {
 
 /// An integer times powers of two and ten, rounded down.
 fn scaled(integer: Integer, two: i32, ten: i32) -> u128 {
-    // The larger factor comes first: a quotient of a quotient is that of the product, both rounded down.
+    // Factors above one come first. Of the divisions that follow, both rounded down, the second gives the
+    // quotient by the product of the divisors, rounded down.
     let larger = integer.times_power_of_two(two.max(0)).times_power_of_ten(ten.max(0));
     larger.times_power_of_ten(ten.min(0)).times_power_of_two(two.min(0)).value()
 }
@@ -218,7 +219,7 @@ impl fmt::Display for DoubleDouble {
                 decimal.last().min(0)
             }
         };
-        // As `f64` does not either, large and small numbers are not shortened by an exponent.
+        // As with `f64`, large and small numbers are written in full, without an exponent.
         let mut text = Text { bytes: [0; WIDEST], length: 0 };
         for power in (last..=decimal.exponent.max(0)).rev() {
             if power == -1 {
@@ -269,7 +270,7 @@ impl fmt::LowerExp for DoubleDouble {
     }
 }
 
-/// As [`fmt::Display`] for sizes near 1, else in scientific notation.
+/// As [`fmt::Display`] for zero and sizes from 1e-5 to 1e16, else in scientific notation.
 impl fmt::Debug for DoubleDouble {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let size = self.high.abs();

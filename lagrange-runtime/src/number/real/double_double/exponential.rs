@@ -164,7 +164,7 @@ pub(super) fn ln_1p(x: DoubleDouble) -> DoubleDouble {
 pub(super) fn powf(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble {
     let special = x.high == 0.0 || !x.high.is_finite() || !y.high.is_finite() || y.high == 0.0;
     if special {
-        // A power of exactly one, which the arithmetic of `f64` knows of its nearest double alone.
+        // A base next to ±1 with an infinite exponent: `f64` would take the base for ±1 itself.
         if !y.high.is_nan() && !y.high.is_finite() && x.high.abs() == 1.0 && x.low != 0.0 {
             let grows = (x.abs() > DoubleDouble::ONE) == (y.high > 0.0);
             return DoubleDouble::from(if grows { f64::INFINITY } else { 0.0 });
@@ -200,7 +200,7 @@ pub(super) fn sinh(x: DoubleDouble) -> DoubleDouble {
     if x.high.abs() > ALONE {
         return half_exp(x.abs()).scaled(x.high.signum());
     }
-    // With y = eˣ − 1: (y + y/(y + 1))/2, of one sign.
+    // (y + y/(y + 1))/2 with y = eˣ − 1. Both terms have the same sign.
     let y = exp_m1(x.abs());
     add(y, div(y, add(y, DoubleDouble::ONE))).scaled(0.5 * x.high.signum())
 }

@@ -100,7 +100,8 @@ impl Integer {
     pub(super) fn rounded(&self, power: i32) -> DoubleDouble {
         let excess = self.bits() - 126;
         let top = self.times_power_of_two(-excess);
-        // The bits that were cut off break ties: they are less than a bit that both roundings are far above.
+        // The last bit stands for the bits that were cut off, so that they break ties. It is far below the
+        // last bits of both doubles.
         let leading = top.value() | u128::from(top.inexact);
         let high = leading as f64;
         let low = (leading as i128 - high as i128) as f64;

@@ -9,7 +9,7 @@ fn number(text: &str) -> DoubleDouble {
     text.parse().unwrap()
 }
 
-/// Whether two numbers agree to so many roundings of the larger.
+/// Whether two numbers agree to so many roundings (2⁻¹⁰⁶) of the first.
 fn close(a: DoubleDouble, b: DoubleDouble, roundings: f64) -> bool {
     (a - b).abs().high() <= roundings * f64::EPSILON * f64::EPSILON * 0.25 * a.high().abs()
 }
