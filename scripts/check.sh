@@ -7,12 +7,12 @@ usage() {
     cat <<'EOF'
 usage: scripts/check.sh NAME …
   fmt         formatting
-  clippy      lints, warnings denied, with all features, and without the standard library
+  clippy      lints, warnings denied, with all features but `parquet`, and without the standard library
   docs        rustdoc, warnings denied
   integration behaviour from a user's crate: hundreds of systems
   engine      random, mutilated and unfinished systems through the engine
   examples    every example runs
-  features    the book's programs and tests that need a feature: lanes of SIMD vectors, 31 digits
+  features    the book's programs, tests that need a feature (lanes of SIMD vectors, 31 digits), slow tests of the runtime
   companions  tests of the command, of studies and of pictures
   book        its pictures are what the examples draw; where mdbook is there, it builds and its links resolve
   ui          messages about mistakes, each beside its case; none of an unfinished description where its system is used
@@ -30,17 +30,17 @@ usage: scripts/check.sh NAME …
   drift       constraints and their energy over millions of steps
   roots       a million polynomials and steps cut anywhere: no zero is missed, none is found twice
   contacts    ten thousand random systems with contacts and friction, as many balls in a corner, and stools
-  stack       analyses of 100 coordinates on the stack of a common thread
+  stack       analyses of 100 coordinates on a stack of 3 MiB, in code that is not optimised
   stack-release
-              the same in release: the compiler needs more than 16 GB for it, so it is in no list
+              the same in release, on the 2 MiB of a common thread: the compiler needs more than 16 GB for it, so it is in no list
   firmware    the same bits on microcontrollers and WebAssembly, no panic, no double, sizes (installs emulators); FIRMWARE
               names another part of scripts/firmware.sh
   gallery     the systems in the browser: they move in Chromium (installs it), on a phone and for a screen reader, too
   gpu         kernels of a graphics processor: built, assembled, interpreted bit by bit, and run where one is (installs a
               nightly toolchain and NVIDIA's assembler)
-  all         everything above
+  all         everything above but stack-release
   ci          the same without book, random, editor, packages, benchmarks, lanes, tables, mpi, digits, long, drift, roots, contacts,
-              gallery and gpu, and of firmware what needs no nightly toolchain; in two halves at once
+              gallery and gpu, and of firmware without sizes, instructions and Miri; in two halves at once
 EOF
 }
 
@@ -69,7 +69,7 @@ tests() {
 
 integration() { tests --test integration --test motions; }
 
-engine() { tests --test random --test editor --test fuzz; }
+engine() { tests --test random --test names --test editor --test fuzz; }
 
 examples() { tests --test examples; }
 

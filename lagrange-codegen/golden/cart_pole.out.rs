@@ -118,8 +118,8 @@ const _: () = {
     impl<R: Real> CartPole<R> {
         /// The coordinates in the order of all vectors, to name the one that an error speaks of.
         pub const COORDINATES: [&'static str; 2usize] = ["x", "theta"];
-        /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
-        /// computed once per run, and a factorisation in the runtime, are not counted.
+        /// Operations of one evaluation of the accelerations: all of them as derived, and as emitted without
+        /// those done once per run. A factorisation in the runtime is in neither.
         pub const COST: lagrange::Costs = lagrange::Costs {
             before: lagrange::Cost::new(6u32, 17u32, 6u32, 0u32, 1u32),
             after: lagrange::Cost::new(5u32, 13u32, 1u32, 0u32, 1u32),

@@ -99,8 +99,8 @@ const _: () = {
     impl Top {
         /// The coordinates in the order of all vectors, to name the one that an error speaks of.
         pub const COORDINATES: [&'static str; 3usize] = ["phi", "theta", "psi"];
-        /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
-        /// computed once per run, and a factorisation in the runtime, are not counted.
+        /// Operations of one evaluation of the accelerations: all of them as derived, and as emitted without
+        /// those done once per run. A factorisation in the runtime is in neither.
         pub const COST: lagrange::Costs = lagrange::Costs {
             before: lagrange::Cost::new(33u32, 66u32, 2u32, 0u32, 3u32),
             after: lagrange::Cost::new(4u32, 13u32, 1u32, 0u32, 1u32),

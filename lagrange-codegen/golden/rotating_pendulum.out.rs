@@ -103,8 +103,8 @@ mass·length²·θ̈ + mass·length·g sin θ − mass·length²·rate²·sin θ
     impl RotatingPendulum {
         /// The coordinates in the order of all vectors, to name the one that an error speaks of.
         pub const COORDINATES: [&'static str; 1usize] = ["theta"];
-        /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
-        /// computed once per run, and a factorisation in the runtime, are not counted.
+        /// Operations of one evaluation of the accelerations: all of them as derived, and as emitted without
+        /// those done once per run. A factorisation in the runtime is in neither.
         pub const COST: lagrange::Costs = lagrange::Costs {
             before: lagrange::Cost::new(10u32, 28u32, 1u32, 0u32, 2u32),
             after: lagrange::Cost::new(2u32, 2u32, 0u32, 0u32, 1u32),
@@ -862,14 +862,14 @@ The first identity that does not hold, and by how much.*/
                 lagrangian: 0.0,
                 uncertainty: 0.0,
             };
-            let path = |x: f64| lagrange::State::<f64, 1> {
-                t: state.t + x,
-                q: ::core::array::from_fn(|i| state.q[i] + x * state.v[i]),
+            let path = |shift: f64| lagrange::State::<f64, 1> {
+                t: state.t + shift,
+                q: ::core::array::from_fn(|i| state.q[i] + shift * state.v[i]),
                 v: state.v,
             };
             let (energy, doubt) = lagrange::verify::kinetic(
-                |x| {
-                    let state = &path(x);
+                |shift| {
+                    let state = &path(shift);
                     let coordinates = <RotatingPendulumCoordinates<
                         f64,
                     > as ::core::convert::From<_>>::from(state.q);

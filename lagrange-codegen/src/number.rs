@@ -13,7 +13,8 @@ mod parts;
 /// A constant of the graph.
 #[derive(Clone, Copy, Debug)]
 pub enum Number {
-    /// `numerator / denominator` in lowest terms, denominator positive.
+    /// `numerator / denominator` in lowest terms, denominator positive. The numerator is above `i128::MIN`,
+    /// so that it can change its sign.
     Ratio(i128, i128),
     /// A value that does not fit into a ratio: the double that arithmetic of doubles gives, and the rest that
     /// it lacks.
@@ -32,12 +33,12 @@ impl Number {
 
     /// An integer.
     pub fn integer(value: i128) -> Number {
-        Number::Ratio(value, 1)
+        if value == i128::MIN { Number::Float(value as f64, 0.0) } else { Number::Ratio(value, 1) }
     }
 
-    /// A quotient of integers; `None` for a zero denominator.
+    /// A quotient of integers; `None` for a zero denominator, and where an integer cannot change its sign.
     pub fn ratio(numerator: i128, denominator: i128) -> Option<Number> {
-        if denominator == 0 {
+        if denominator == 0 || numerator == i128::MIN || denominator == i128::MIN {
             return None;
         }
         let divisor = gcd(numerator.unsigned_abs(), denominator.unsigned_abs()) as i128;
@@ -73,7 +74,7 @@ impl Number {
         if power >= 0 {
             digits.checked_mul(scale).map(Number::integer).or_else(float)
         } else {
-            Number::ratio(digits, scale)
+            Number::ratio(digits, scale).or_else(float)
         }
     }
 
@@ -168,7 +169,7 @@ impl std::ops::Add for Number {
                 && d == 1
                 && let Some(sum) = a.checked_add(c)
             {
-                return Number::Ratio(sum, 1);
+                return Number::integer(sum);
             }
             let exact = || {
                 let numerator = a.checked_mul(d)?.checked_add(c.checked_mul(b)?)?;
@@ -303,5 +304,24 @@ mod tests {
         let big = Number::integer(i128::MAX / 2);
         assert!(matches!(big * big, Number::Float(..)));
         assert_eq!((big + big + Number::integer(1)).value(), i128::MAX as f64);
+    }
+
+    #[test]
+    fn the_integer_without_a_negative_changes_its_sign_too() {
+        let quarter = Number::parse("8.5070591730234615865843651857942052864e37").unwrap();
+        let (half, two) = (2.0_f64.powi(127), Number::integer(2));
+        let lowest = [
+            -quarter - quarter,
+            quarter * -two,
+            Number::integer(i128::MIN),
+            Number::integer(-i128::MAX) - Number::ONE,
+        ];
+        for lowest in lowest {
+            assert_eq!((lowest.value(), (-lowest).value(), lowest.abs().value()), (-half, half, half));
+            assert_eq!((lowest - lowest).value(), 0.0);
+            assert_eq!((lowest * Number::HALF).value(), -quarter.value());
+            assert_eq!(lowest.recip().map(Number::value), Some(-1.0 / half));
+        }
+        assert_eq!(Number::ratio(1, i128::MIN), None);
     }
 }

@@ -308,7 +308,8 @@ messages! {
     not_smooth(name, alternative) = "`{name}` has no derivative everywhere; {alternative}";
     bad_power(most) = "`powi` needs a constant integer between -{most} and {most}; use `powf` for other powers";
     branch_on_variable(on, what) = "the branch depends on {on}: {what} is one expression, or several joined by `if` with \
-        `<` or `>` between numbers; decide on constants only, compare in that way, or use smooth functions such as `tanh`";
+        `<`, `<=`, `>` or `>=` between numbers, also under `&&`, `||` and `!`; decide on constants only, compare in that \
+        way, or use smooth functions such as `tanh`";
     branch_on_parameter(path) = "the branch depends on the parameter `{path}`: the macro does not know its value; let it \
         be a number and compare it, as in `if {path} > 0.5`";
     unmixed_choice(then, otherwise) = "the sides of this branch on the state are {then} and {otherwise}; let both be \

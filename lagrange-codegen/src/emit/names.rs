@@ -12,7 +12,8 @@ const LONGEST: usize = 26;
 /// The most characters of a suffix of such a name, as in `theta_partial`.
 const SUFFIX: usize = 16;
 
-/// Names that generated bodies use otherwise.
+/// Names that generated bodies use otherwise, beside those that begin with two underscores. `tests/names.rs`
+/// finds those that are missing.
 const RESERVED: &[&str] = &[
     "state",
     "inputs",
@@ -49,6 +50,31 @@ const RESERVED: &[&str] = &[
     "series",
     "left",
     "right",
+    "coupling",
+    "active",
+    "shares",
+    "forces",
+    "gamma",
+    "functions",
+    "low",
+    "high",
+    "sum",
+    "sums",
+    "rows",
+    "take",
+    "named",
+    "p",
+    "rates",
+    "coordinates",
+    "velocities",
+    "described",
+    "weights",
+    "path",
+    "shift",
+    "time",
+    "energy",
+    "doubt",
+    "error",
     "f64",
     "f32",
     "self",
@@ -107,6 +133,7 @@ impl Names {
 pub(super) fn locals(model: &Model, least: usize) -> Locals {
     let mut taken: BTreeSet<String> = RESERVED.iter().map(|&name| name.to_owned()).collect();
     let mut claim = |label: String| {
+        let label = label.trim_start_matches("__").to_owned();
         // In a pattern, a constant's name would be compared with instead of bound.
         let label = if label.chars().any(char::is_lowercase) { label } else { label.to_lowercase() };
         let free = |name: &String| !taken.contains(name) && !is_keyword(name);

@@ -72,8 +72,8 @@ pub(super) fn report(
 
         #constraints
 
-        /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
-        /// computed once per run, and a factorisation in the runtime, are not counted.
+        /// Operations of one evaluation of the accelerations: all of them as derived, and as emitted without
+        /// those done once per run. A factorisation in the runtime is in neither.
         pub const COST: lagrange::Costs = lagrange::Costs { before: #before, after: #emitted };
 
         /// What was found in this system, and what its code therefore leaves out.

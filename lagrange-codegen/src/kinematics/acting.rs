@@ -16,8 +16,8 @@ use crate::number::Number;
 pub(crate) struct Acting {
     /// The force of a unit multiplier, as a function of coordinates.
     pub force: Vec<NodeId>,
-    /// Whether that is the whole action. It is not if the constraint also contains coordinates that move the
-    /// place.
+    /// Whether that is the whole action. It is not if the constraint also contains coordinates or
+    /// orientations that move the place.
     pub is_whole: bool,
 }
 
@@ -93,8 +93,10 @@ pub(crate) fn acting(model: &mut Model, constraints: &[Constraint]) -> Vec<Vec<A
     let velocities: Vec<NodeId> = (0..count).map(|i| model.graph.variable(Variable::Velocity(i))).collect();
     let Model { graph, places, orientations, kinetic, lagrangian, .. } = model;
     let standing = Standing::of(places, &coordinates);
-    let movers: Vec<Option<Vec<NodeId>>> =
-        places.iter().map(|place| movers(graph, place, &coordinates, orientations)).collect();
+    let movers: Vec<Named> = places
+        .iter()
+        .map(|place| Named::by(graph, place.position.iter().copied(), &coordinates, orientations))
+        .collect();
     // Inertia given as an energy may belong to any coordinate.
     let has_energies = !kinetic.is_empty() || !lagrangian.is_empty();
     let mut all = Vec::with_capacity(constraints.len());
@@ -109,28 +111,18 @@ pub(crate) fn acting(model: &mut Model, constraints: &[Constraint]) -> Vec<Vec<A
             continue;
         };
         let slopes = standing.slopes(graph, through);
-        let cone = graph.cone([through]);
-        let named: Vec<NodeId> = cone.into_iter().filter(|node| coordinates.contains(node)).collect();
+        let named = Named::by(graph, [through], &coordinates, orientations);
         let mut own = Vec::with_capacity(places.len());
         for (i, (place, force)) in places.iter().zip(standing.by_place(slopes)).enumerate() {
-            let is_whole = match &movers[i] {
-                Some(movers) => !named.iter().any(|q| movers.contains(q)),
-                // Where orientations move the place, the coordinates in its position decide.
-                None => {
-                    let cone = graph.cone(place.position.iter().copied());
-                    !named.iter().any(|q| cone.contains(q))
-                }
-            };
-            let alone = |own: &[NodeId]| {
-                let mut others = movers.iter().enumerate().filter(|&(j, _)| j != i).map(|(_, other)| other);
-                others.all(|other| other.as_ref().is_some_and(|other| !other.iter().any(|q| own.contains(q))))
-            };
-            let is_free = !is_whole && !place.turns && !has_energies;
-            let by_coordinates = match &movers[i] {
-                Some(own) if is_free && own.len() == place.position.len() && alone(own) => {
-                    inverse_slopes(graph, constraint.value, &place.position, own)
-                }
-                _ => None,
+            let moving = &movers[i];
+            let is_whole = !named.meets(moving);
+            let mut others = movers.iter().enumerate().filter(|&(j, _)| j != i);
+            let is_alone = others.all(|(_, other)| !other.meets(moving));
+            let is_free = !is_whole && !place.turns && !has_energies && is_alone;
+            let is_square = moving.coordinates.len() == place.position.len();
+            let by_coordinates = match is_free && is_square && moving.orientations.is_empty() {
+                true => inverse_slopes(graph, constraint.value, &place.position, &moving.coordinates),
+                false => None,
             };
             let is_whole = is_whole || by_coordinates.is_some();
             own.push(Acting { force: by_coordinates.unwrap_or(force), is_whole });
@@ -140,11 +132,49 @@ pub(crate) fn acting(model: &mut Model, constraints: &[Constraint]) -> Vec<Vec<A
     all
 }
 
+/// What functions name of what moves a system.
+struct Named {
+    coordinates: Vec<NodeId>,
+    /// The indices of orientations, which are named by any entry of their matrices.
+    orientations: Vec<usize>,
+}
+
+impl Named {
+    fn by(
+        graph: &Graph,
+        functions: impl IntoIterator<Item = NodeId>,
+        coordinates: &[NodeId],
+        orientations: &[usize],
+    ) -> Named {
+        let mut named = Named { coordinates: Vec::new(), orientations: Vec::new() };
+        for node in graph.cone(functions) {
+            match graph.node(node) {
+                Node::Variable(Variable::Entry(entry)) => named.orientations.push(*entry as usize / 9),
+                Node::Variable(Variable::Coordinate(i)) => {
+                    match orientation::holding(orientations, *i as usize) {
+                        Some(index) => named.orientations.push(index),
+                        None if coordinates.contains(&node) => named.coordinates.push(node),
+                        None => {}
+                    }
+                }
+                _ => {}
+            }
+        }
+        named
+    }
+
+    /// Whether both name the same coordinate or orientation.
+    fn meets(&self, other: &Named) -> bool {
+        self.coordinates.iter().any(|q| other.coordinates.contains(q))
+            || self.orientations.iter().any(|index| other.orientations.contains(index))
+    }
+}
+
 /// The action of a constraint on velocities that contains these nodes. Its force is not needed, only whether
 /// there may be one.
 fn on_velocities(
     places: &[Place],
-    movers: &[Option<Vec<NodeId>>],
+    movers: &[Named],
     coordinates: &[NodeId],
     velocities: &[NodeId],
     named: &[NodeId],
@@ -153,32 +183,12 @@ fn on_velocities(
         let i = coordinates.iter().position(|&other| other == q);
         i.is_some_and(|i| named.contains(&velocities[i]))
     };
-    let acts = |(place, movers): (&Place, &Option<Vec<NodeId>>)| {
-        let by_coordinates = movers.as_ref().is_none_or(|movers| movers.iter().any(|&q| moves(q)));
+    let acts = |(place, movers): (&Place, &Named)| {
+        // Every constraint on velocities counts where orientations move the place.
+        let by_coordinates = !movers.orientations.is_empty() || movers.coordinates.iter().any(|&q| moves(q));
         by_coordinates || place.rates.iter().any(|rate| named.contains(rate))
     };
     places.iter().zip(movers).map(|one| Acting { force: Vec::new(), is_whole: !acts(one) }).collect()
-}
-
-/// The coordinates that move a place; `None` if orientations move it.
-fn movers(
-    graph: &Graph,
-    place: &Place,
-    coordinates: &[NodeId],
-    orientations: &[usize],
-) -> Option<Vec<NodeId>> {
-    let mut movers = Vec::new();
-    for node in graph.cone(place.position.iter().copied()) {
-        match graph.node(node) {
-            Node::Variable(Variable::Entry(_)) => return None,
-            Node::Variable(Variable::Coordinate(i)) if orientation::holds(orientations, *i as usize) => {
-                return None;
-            }
-            Node::Variable(Variable::Coordinate(_)) if coordinates.contains(&node) => movers.push(node),
-            _ => {}
-        }
-    }
-    Some(movers)
 }
 
 /// ∂f/∂r of functions f and r of as many coordinates as r has components, by Cramer's rule; `None` if the

@@ -338,7 +338,8 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-const CONSTRUCTORS: [&str; 40] = [
+/// All associated functions, of whatever type.
+pub(super) const CONSTRUCTORS: [&str; 40] = [
     "new",
     "zeros",
     "repeat",

@@ -179,7 +179,7 @@ impl<'a> Interpreter<'a> {
             .into_iter()
             .map(|value| match value {
                 Value::Integer(value, _) => {
-                    let number = Number::Ratio(value, 1);
+                    let number = Number::integer(value);
                     Some(self.graph().constant(number))
                 }
                 value => self.scalar(value, expr.origin),

@@ -8,8 +8,9 @@ use crate::expr::NodeId;
 use crate::number::Number;
 use crate::syntax::body::{BinaryOperator, Expr, ExprKind, MethodCall, Word};
 
-/// The methods of arrays and iterators.
+/// The methods of arrays and iterators. The first is one of arrays alone.
 pub const METHODS: [&str; 21] = [
+    "windows",
     "iter",
     "into_iter",
     "copied",
@@ -30,7 +31,6 @@ pub const METHODS: [&str; 21] = [
     "product",
     "len",
     "count",
-    "windows",
 ];
 
 impl<'a> Interpreter<'a> {

@@ -3,11 +3,10 @@
 use super::advice::argument_count;
 use super::interpreter::Interpreter;
 use super::iterate;
-use super::quaternion;
+use super::methods::{self, is_of_rotations, is_of_vectors};
 use super::rounded::Rounded;
 use super::scalar;
 use super::value::{ParameterId, Value};
-use super::vector;
 use crate::diagnostics::{Origin, catalogue};
 use crate::syntax::Record;
 use crate::syntax::body::{MethodCall, Word};
@@ -103,25 +102,7 @@ impl<'a> Interpreter<'a> {
 
     /// No such method: a near miss, or what can be called.
     pub fn unknown_method(&mut self, receiver: &Value, word: &Word) -> Value {
-        let candidates: &[&str] = match receiver {
-            Value::Scalar(..) | Value::Parameter(_) => &scalar::METHODS,
-            Value::Vector(_) | Value::Point(_) | Value::Translation(_) | Value::Matrix(_) => &vector::METHODS,
-            Value::Rotation(_) | Value::Isometry(..) => &vector::POSE_METHODS,
-            Value::Array(_) | Value::Iterator(_) | Value::Range(..) => &iterate::METHODS,
-            Value::Twist(_) => &["at"],
-            Value::Quaternion(_) => &quaternion::METHODS,
-            Value::Unknown
-            | Value::Unit
-            | Value::Boolean(_)
-            | Value::Choice(_)
-            | Value::Integer(..)
-            | Value::PoseVelocity(..)
-            | Value::Closure(_)
-            | Value::Tuple(_)
-            | Value::Record(_) => &["to_array", "as_vector"],
-        };
-        let of_vectors =
-            || vector::METHODS.contains(&&*word.name) || vector::POSE_METHODS.contains(&&*word.name);
+        let of_vectors = || is_of_vectors(&word.name) || is_of_rotations(&word.name);
         if let Some(path) = self.taken_for_scalar(receiver).filter(|_| of_vectors()) {
             return self.refuse(word.origin, catalogue::method_of_scalar(path, &word.name));
         }
@@ -130,7 +111,7 @@ impl<'a> Interpreter<'a> {
         {
             return self.refuse(word.origin, catalogue::array_as_vector(receiver.describe(), &word.name));
         }
-        let near = nearest(&word.name, candidates.iter().copied()).map(String::from);
+        let near = nearest(&word.name, methods::of(receiver).iter().copied()).map(String::from);
         self.refuse(word.origin, catalogue::unknown_method(receiver.describe(), &word.name, near))
     }
 
@@ -173,7 +154,7 @@ impl<'a> Interpreter<'a> {
                 self.elements(Value::Parameter(id), origin);
                 return Value::Unknown;
             }
-            _ if iterate::METHODS.contains(&name) && !vector::METHODS.contains(&name)
+            _ if iterate::METHODS.contains(&name) && !is_of_vectors(name)
                 || matches!(name, "len" | "map") =>
             {
                 self.elements(Value::Parameter(id), origin);
@@ -182,7 +163,7 @@ impl<'a> Interpreter<'a> {
             _ => {}
         }
         // The parameter has the shape of the other operand.
-        if let (true, [Value::Vector(nodes)]) = (vector::METHODS.contains(&name), arguments.as_slice()) {
+        if let (true, [Value::Vector(nodes)]) = (is_of_vectors(name), arguments.as_slice()) {
             let length = nodes.len();
             return match self.vector(Value::Parameter(id), length, origin) {
                 Some(nodes) => {
@@ -199,7 +180,7 @@ impl<'a> Interpreter<'a> {
             };
         }
         let text = self.parameters.text(id).to_string();
-        if vector::METHODS.contains(&name) || vector::POSE_METHODS.contains(&name) {
+        if is_of_vectors(name) || is_of_rotations(name) {
             return self.refuse(word.origin, catalogue::unknown_shape(text));
         }
         let near = nearest(name, scalar::METHODS).map(String::from);

@@ -23,6 +23,7 @@ mod hint;
 mod interpreter;
 mod iterate;
 mod method;
+mod methods;
 mod normal;
 mod operator;
 mod parameter;

@@ -23,19 +23,30 @@ pub(super) struct Actions {
     /// The number of constraints, which come before gaps.
     held: usize,
     acting: Vec<Vec<Acting>>,
+    /// The names of constraints that are solved for a coordinate, with their actions. Their forces have no
+    /// multiplier.
+    eliminated: Vec<(String, Vec<Acting>)>,
 }
 
 impl Actions {
     pub fn of(model: &mut Model) -> Actions {
         let gaps = model.contacts.iter().map(|contact| &contact.constraint);
         let rows: Vec<Constraint> = model.constraints.iter().chain(gaps).cloned().collect();
+        let solved: Vec<Constraint> = model.eliminations.iter().map(|one| one.constraint.clone()).collect();
+        let eliminated = solved.iter().map(Constraint::written).zip(acting(model, &solved)).collect();
         let acting = acting(model, &rows);
-        Actions { rows, held: model.constraints.len(), acting }
+        Actions { rows, held: model.constraints.len(), acting, eliminated }
     }
 
     /// The force of a row on a place, if there is any.
     fn at(&self, model: &Model, row: usize, place: usize) -> Option<&Acting> {
         self.acting[row].get(place).filter(|acting| acting.is_any(&model.graph))
+    }
+
+    /// An eliminated constraint that acts on a place, by its name.
+    fn eliminated_at(&self, model: &Model, place: usize) -> Option<&str> {
+        let acts = |own: &[Acting]| own.get(place).is_some_and(|acting| acting.is_any(&model.graph));
+        self.eliminated.iter().find(|(_, own)| acts(own)).map(|(name, _)| name.as_str())
     }
 
     /// Whether a row is a holonomic constraint.
@@ -170,6 +181,10 @@ impl<'a> Interpreter<'a> {
         }
         if found.is_empty() {
             self.report(word.origin, catalogue::friction_on_free_place(&word.name));
+            return None;
+        }
+        if let Some(name) = actions.eliminated_at(&self.model, place) {
+            self.report(word.origin, catalogue::friction_beside(name, &word.name));
             return None;
         }
         Some(self.together(function, &found, place, actions))

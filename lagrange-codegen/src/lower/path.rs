@@ -111,9 +111,12 @@ impl<'a> Interpreter<'a> {
             (Value::Scalar(node, rounded), TypeKind::Integer(types))
                 if self.model.graph.dependence(*node) == Dependence::NONE =>
             {
-                match rounded.value(&self.item.scalar).and_then(|value| types.saturated(value)) {
+                let Some(value) = rounded.value(&self.item.scalar) else {
+                    return self.refuse(origin, catalogue::rounding_decides());
+                };
+                match types.saturated(value) {
                     Some(integer) => self.integer(integer, *types, origin),
-                    None => self.refuse(origin, catalogue::rounding_decides()),
+                    None => self.refuse(origin, catalogue::integer_overflow()),
                 }
             }
             (Value::Boolean(truth), TypeKind::Integer(types)) => Value::Integer(i128::from(*truth), *types),

@@ -60,13 +60,16 @@ impl Interpreter<'_> {
         let hints = self.model.hints.clone();
         for (index, function) in item.functions.iter().enumerate() {
             let kind = function.role.as_ref().map(|role| &role.kind);
-            if !item.is_kept_constraint(function) && !matches!(kind, Some(RoleKind::Unilateral { .. })) {
+            let is_eliminated = matches!(kind, Some(RoleKind::Holonomic { eliminate: Some(_) }));
+            let is_gap = matches!(kind, Some(RoleKind::Unilateral { .. }));
+            if !item.is_kept_constraint(function) && !is_eliminated && !is_gap {
                 continue;
             }
             let Some(value) = self.result(index) else { continue };
             // A function whose value is not known has none here. rustc says why.
             let gaps = self.model.contacts.iter_mut().map(|contact| &mut contact.constraint);
-            let own = (self.model.constraints.iter_mut().chain(gaps))
+            let solved = self.model.eliminations.iter_mut().map(|elimination| &mut elimination.constraint);
+            let own = (self.model.constraints.iter_mut().chain(gaps).chain(solved))
                 .filter(|constraint| *constraint.name == *function.name);
             for (constraint, node) in own.zip(nodes(&value)) {
                 let rates = self.model.places.iter().flat_map(|place| &place.rates);

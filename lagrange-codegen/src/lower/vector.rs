@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use super::advice::valid_indices;
 use super::interpreter::Interpreter;
+use super::methods;
 use super::shape::Shape;
 use super::value::{Matrix, Turn, Value};
 use crate::diagnostics::{Origin, catalogue};
@@ -11,58 +12,6 @@ use crate::expr::NodeId;
 use crate::expr::Unary;
 use crate::number::Number;
 use crate::syntax::body::Word;
-
-/// Methods of nalgebra's vectors and matrices.
-pub const METHODS: [&str; 31] = [
-    "dot",
-    "cross",
-    "perp",
-    "norm",
-    "norm_squared",
-    "magnitude",
-    "magnitude_squared",
-    "normalize",
-    "transpose",
-    "component_mul",
-    "component_div",
-    "add_scalar",
-    "scale",
-    "distance",
-    "metric_distance",
-    "sum",
-    "len",
-    "iter",
-    "map",
-    "zip_map",
-    "row",
-    "column",
-    "trace",
-    "determinant",
-    "tr_mul",
-    "diagonal",
-    "to_scalar",
-    "coords",
-    "cross_matrix",
-    "push",
-    "xy",
-];
-
-/// Methods of nalgebra's rotations and poses.
-pub const POSE_METHODS: [&str; 13] = [
-    "inverse",
-    "transpose",
-    "matrix",
-    "angle",
-    "to_rotation_matrix",
-    "transform_vector",
-    "transform_point",
-    "inverse_transform_vector",
-    "inverse_transform_point",
-    "rotate",
-    "translation",
-    "rotation",
-    "axis",
-];
 
 impl Interpreter<'_> {
     /// The length of a vector squared.
@@ -276,7 +225,7 @@ impl Interpreter<'_> {
                 Some(factor) => self.scale_matrix(&matrix, |graph, node| graph.mul(node, factor)),
                 None => Value::Unknown,
             },
-            (name, _) if METHODS.contains(&name) => {
+            (name, _) if methods::is_of_vectors(name) => {
                 let message = catalogue::wrong_dimension(name, Value::Matrix(matrix).describe());
                 self.refuse(word.origin, message)
             }

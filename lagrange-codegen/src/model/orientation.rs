@@ -72,7 +72,12 @@ pub fn body_rate(graph: &mut Graph, rho: &[NodeId; 3], rates: &[NodeId; 3]) -> [
 
 /// Whether a coordinate is one of the three numbers of an orientation, whose first ones are given.
 pub fn holds(orientations: &[usize], coordinate: usize) -> bool {
-    orientations.iter().any(|&first| (first..first + 3).contains(&coordinate))
+    holding(orientations, coordinate).is_some()
+}
+
+/// The index of the orientation that a coordinate is one of the three numbers of.
+pub fn holding(orientations: &[usize], coordinate: usize) -> Option<usize> {
+    orientations.iter().position(|&first| (first..first + 3).contains(&coordinate))
 }
 
 /// The variables of the matrix of an orientation, given by its index.

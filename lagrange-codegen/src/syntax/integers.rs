@@ -70,17 +70,21 @@ impl Integers {
         (!name.ends_with("size") || cut == value).then_some(cut)
     }
 
-    /// `value as type` for a number: rounded towards zero and limited to the range of the type, that of
-    /// `u128` ending where `i128` does. `None` if it is not finite.
+    /// `value as type` for a number: rounded towards zero and limited to the range of the type. `None` if it
+    /// is not finite, if an `i128` does not hold the result, or if the width of a pointer decides.
     pub fn saturated(self, value: f64) -> Option<i128> {
-        let &(_, width, signed) = TYPES.get(self.0.trailing_zeros() as usize)?;
+        let &(name, width, signed) = TYPES.get(self.0.trailing_zeros() as usize)?;
         let (low, high) = match (width, signed) {
             (128, true) => (i128::MIN, i128::MAX),
             (128, false) => (0, i128::MAX),
             (width, true) => (-(1_i128 << (width - 1)), (1_i128 << (width - 1)) - 1),
             (width, false) => (0, (1_i128 << width) - 1),
         };
-        value.is_finite().then(|| (value as i128).clamp(low, high))
+        // 2¹²⁷ and more become the largest `i128`, or what only a `u128` holds.
+        let is_held = signed || width < 128 || value < -(i128::MIN as f64);
+        let whole = value as i128;
+        let is_cut_by_width = name.ends_with("size") && (whole > high || signed && whole < low);
+        (value.is_finite() && is_held && !is_cut_by_width).then(|| whole.clamp(low, high))
     }
 }
 
@@ -112,6 +116,15 @@ mod tests {
         assert_eq!(named("u8").saturated(-2.6), Some(i128::from(-2.6_f64 as u8)));
         assert_eq!(named("u8").saturated(1e9), Some(i128::from(1e9_f64 as u8)));
         assert_eq!(named("u8").saturated(f64::NAN), None);
+        assert_eq!(named("u128").saturated(1e38), Some((1e38_f64 as u128) as i128));
+        assert_eq!(named("u128").saturated(-1e38), Some(0));
+        assert_eq!(named("u128").saturated(2e38), None);
+        assert_eq!(named("u128").saturated(2_f64.powi(127)), None);
+        assert_eq!(named("i128").saturated(2e38), Some(i128::MAX));
+        assert_eq!(named("usize").saturated(1e10), None);
+        assert_eq!(named("usize").saturated(-1e10), Some(0));
+        assert_eq!(named("isize").saturated(-1e10), None);
+        assert_eq!(named("isize").saturated(-2.6), Some(-2));
     }
 
     #[test]

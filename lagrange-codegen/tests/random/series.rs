@@ -60,7 +60,15 @@ pub fn check(system: &System, expansion: &Expansion, sample: &Sample) -> Result<
         let exact: Vec<Tracked> = last.iter().map(|&v| share(Tracked::constant(v))).collect();
         agreement.join(compare(&format!("q of order {order}"), &q[order - 1], &exact)?);
         let wanted: Vec<Tracked> = rates.iter().map(|rate| share(rate.coefficients[order - 1])).collect();
-        agreement.join(compare(&format!("v of order {order}"), &v[order - 1], &wanted)?);
+        let _dbg = compare(&format!("v of order {order}"), &v[order - 1], &wanted).map_err(|e| {
+            if std::env::var("SHOW").is_ok() {
+                let f = &expansion.smooth["jet_at"];
+                format!("{e}\n{}", quote::quote!(#f))
+            } else {
+                e
+            }
+        });
+        agreement.join(_dbg?);
         last.clone_from(&v[order - 1]);
     }
     Ok(Outcome::Compared(agreement))
@@ -121,9 +129,72 @@ fn rates(system: &System, point: &Point, q: &[Vec<f64>], v: &[Vec<f64>]) -> Opti
     matrix.extend(jacobian.iter().map(|row| [&row[..], &vec![zero; jacobian.len()]].concat()));
     let force = balance.applied.iter().zip(&balance.bias).map(|(&applied, &bias)| applied - bias);
     let mut right: Vec<Taylor<Tracked>> = force.chain(gamma).collect();
+    let equations = (matrix.clone(), right.clone());
     eliminate(&mut matrix, &mut right)?;
+    if std::env::var("OLD_BOUND").is_err() {
+        add_errors_of_multipliers(&equations, count, &mut right);
+    }
+    if std::env::var("SHOW").is_ok() {
+        let c = |x: &Taylor<Tracked>| x.coefficients[0].value;
+        eprintln!(
+            "K {:?}\nright {:?}\nsolution {:?}",
+            equations.0.iter().map(|r| r.iter().map(c).collect::<Vec<_>>()).collect::<Vec<_>>(),
+            equations.1.iter().map(c).collect::<Vec<_>>(),
+            right.iter().map(|x| x.coefficients[0]).collect::<Vec<_>>()
+        );
+    }
     right.truncate(count);
     Some(right)
+}
+
+/// Adds the rounding errors of the way that the engine goes where M is diagonal: w = M⁻¹ f,
+/// (A M⁻¹ Aᵀ) λ = γ − A w and a = w + M⁻¹ Aᵀ λ. Forces are rounded there before the multipliers cancel them,
+/// even in a coordinate that its constraints determine. The elimination below may find such a coordinate
+/// without these forces.
+fn add_errors_of_multipliers(
+    (matrix, right): &(Vec<Vec<Taylor<Tracked>>>, Vec<Taylor<Tracked>>),
+    count: usize,
+    solution: &mut [Taylor<Tracked>],
+) {
+    let start = |i: usize, j: usize| matrix[i][j].coefficients[0];
+    let vanishes = |x: Tracked| x.value.abs() <= 64.0 * f64::EPSILON * x.roundings;
+    let is_diagonal = (0..count).all(|i| (0..count).all(|j| vanishes(start(i, j)) != (i == j)));
+    let (all, held) = (right.len(), right.len() - count);
+    let mass: Vec<f64> = (0..count).map(|i| start(i, i).value).collect();
+    let gradient: Vec<Vec<f64>> =
+        (count..all).map(|c| (0..count).map(|i| start(c, i).value).collect()).collect();
+    let schur = |a: &[f64], b: &[f64]| (0..count).map(|i| a[i] * b[i] / mass[i]).sum::<f64>();
+    let square: Vec<Vec<f64>> =
+        gradient.iter().map(|a| gradient.iter().map(|b| schur(a, b)).collect()).collect();
+    let unit = |c: usize| (0..held).map(|d| f64::from(u8::from(c == d))).collect::<Vec<f64>>();
+    let units: Vec<Vec<f64>> = (0..held).map(unit).collect();
+    let Some(inverse) = gauss(&square, &units).filter(|_| is_diagonal && held > 0) else { return };
+    // The solution with errors of that way alone: an order is solved for with the errors of those before.
+    let mut known: Vec<Taylor<Tracked>> = vec![Taylor::constant(0.0); all];
+    for k in 0..TERMS {
+        for (known, exact) in known.iter_mut().zip(&*solution) {
+            known.coefficients[k] = Tracked::constant(exact.coefficients[k].value);
+        }
+        // The sizes of the terms of an equation.
+        let size = |i: usize| {
+            let rest = matrix[i].iter().zip(&known).fold(right[i], |rest, (&a, &x)| rest - a * x);
+            rest.coefficients[k].roundings
+        };
+        let free: Vec<f64> = (0..count).map(|i| size(i) / mass[i].abs()).collect();
+        let carried = |c: usize| gradient[c].iter().zip(&free).map(|(a, w)| a.abs() * w).sum::<f64>();
+        let wrong: Vec<f64> = (0..held).map(|c| size(count + c) + carried(c)).collect();
+        let multiplier = |c: usize| (0..held).map(|d| inverse[d][c].abs() * wrong[d]).sum::<f64>();
+        let multipliers: Vec<f64> = (0..held).map(multiplier).collect();
+        let acceleration = |i: usize| {
+            let forces = gradient.iter().zip(&multipliers).map(|(row, error)| row[i].abs() * error);
+            free[i] + forces.sum::<f64>() / mass[i].abs()
+        };
+        let errors = (0..count).map(acceleration).chain(multipliers.iter().copied());
+        for (j, error) in errors.collect::<Vec<f64>>().into_iter().enumerate() {
+            known[j].coefficients[k].roundings += error;
+            solution[j].coefficients[k].roundings += error;
+        }
+    }
 }
 
 /// Gaussian elimination with partial pivoting by the values at the start.

@@ -227,11 +227,24 @@ impl<R: Real, const N: usize, const K: usize> LinearModel<R, N, K> {
         (D == self.order()).then(|| SVector::from_fn(|i, _| entry(i)))
     }
 
-    /// M, C, G or K between the motions that the constraints allow: Yᵀ X Z with Y the basis of
-    /// [`LinearModel::velocities`] and Z that of [`LinearModel::displacements`]. The leading rows and columns
-    /// count.
+    /// Yᵀ X Y of M, C or G, with Y the basis of [`LinearModel::velocities`]: between the velocities that the
+    /// constraints allow, on which these matrices act. The leading rows and columns count, as many as there
+    /// are such velocities.
+    ///
+    /// About an equilibrium Yᵀ M Y η̇ + Yᵀ (C + G) Y η + Yᵀ K Z ξ = Yᵀ (∂f/∂u) δu and ξ̇ = Z⁺ Y η are the
+    /// equations of motion, with [`LinearModel::on_displacements`] of K. About a motion they lack what
+    /// follows from the change of the constraints; [`LinearModel::state_matrix`] has all of it.
     #[must_use]
-    pub fn on_tangent_space(&self, matrix: &SMatrix<R, N, N>) -> SMatrix<R, N, N> {
+    pub fn on_velocities(&self, matrix: &SMatrix<R, N, N>) -> SMatrix<R, N, N> {
+        self.velocities.vectors.transpose() * matrix * *self.velocities.vectors
+    }
+
+    /// Yᵀ X Z of K, with Y the basis of [`LinearModel::velocities`] and Z that of
+    /// [`LinearModel::displacements`]: the forces along the velocities that the constraints allow, for the
+    /// displacements that they allow. There are more displacements than velocities where a constraint is
+    /// nonholonomic. The leading rows, one a velocity, and columns, one a displacement, count.
+    #[must_use]
+    pub fn on_displacements(&self, matrix: &SMatrix<R, N, N>) -> SMatrix<R, N, N> {
         self.velocities.vectors.transpose() * matrix * *self.displacements.vectors
     }
 

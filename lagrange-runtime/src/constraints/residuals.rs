@@ -118,8 +118,23 @@ impl<R: Real, const C: usize> Residuals<R, C> {
     }
 }
 
-/// |value| / size. Zero over zero is zero, in single precision NaN, which [`worst`] passes over.
+/// |value| / size. Zero over zero is zero.
 fn relative<R: Real>(value: R, size: R) -> R::Lane {
-    // The smallest normal double keeps a size of zero from being a divisor.
-    (value.abs() / (size + R::from_f64(f64::MIN_POSITIVE))).largest()
+    // A number that single precision has as well keeps a size of zero from being a divisor.
+    let instead = R::zero().where_positive(size, R::from_f64(f64::from(f32::MIN_POSITIVE)));
+    (value.abs() / (size + instead)).largest()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_over_nothing_is_nothing() {
+        assert_eq!(relative(0.0_f64, 0.0), 0.0);
+        assert_eq!(relative(0.0_f32, 0.0), 0.0);
+        assert!(relative(1.0_f32, 0.0) > 1e37 && relative(1.0_f64, 0.0) > 1e37);
+        assert_eq!((relative(-3e-300_f64, 1e-300), relative(-3.0_f32, 1.0)), (3.0, 3.0));
+        assert!(relative(0.0, f64::NAN).is_nan());
+    }
 }

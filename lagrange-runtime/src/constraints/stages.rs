@@ -126,7 +126,7 @@ pub(crate) fn settled_state<S, const N: usize, const K: usize, const C: usize>(
 where
     S: Surface<N, K, C>,
 {
-    // One row depends on no other.
+    // One row depends on no other, and the accelerations of its system are always those of the state itself.
     if C == 1 {
         return *state;
     }

@@ -1,8 +1,11 @@
-//! Gauss–Legendre collocation of orders 4, 6 and 8 for stiff systems and long runs of any system.
+//! Gauss–Legendre collocation of orders 4, 6 and 8 for stiff systems, and for long runs without constraints.
 //!
 //! A step finds accelerations at 2, 3 or 4 stages such that the equations of motion hold at the states which
-//! follow from them by quadrature. The methods are symplectic and reversible on every mechanical system, and
-//! A-stable: stable oscillations far faster than 1/h do not blow up. They are neither damped nor resolved.
+//! follow from them by quadrature. The methods are A-stable: stable oscillations far faster than 1/h do not
+//! blow up. They are neither damped nor resolved. Without constraints a step back undoes a step exactly. The
+//! quadrature is of q and v, so a method is symplectic only where momenta are linear in coordinates and
+//! velocities, as with a constant mass matrix and no other terms in v. Under constraints it is neither
+//! reversible nor symplectic, since the end of each step is moved onto the constraints.
 //! E. Hairer, C. Lubich, G. Wanner, "Geometric Numerical Integration", 2nd ed., II.1.3 and VIII.6.
 //!
 //! The equations are solved to rounding error and the sums are compensated, so that the energy error is a

@@ -7,8 +7,8 @@
 //!
 //! Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapters 5 and 7.
 
-use super::scene::{Scene, Status, Sticking, above, entry, most, product, rounding};
-use super::trials::{Options, Part, combine, parts_at, regime, thresholds};
+use super::scene::{Scene, Status, Sticking, above, entry, most, rounding};
+use super::trials::{Options, Part, changes, combine, parts_at, regime, thresholds};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::linear::SaddlePoint;
@@ -57,6 +57,9 @@ where
         present: &Regime<S::Scalar, C, W>,
         avoid: Option<usize>,
     ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
+        if let Some(slips) = avoid.and_then(|row| self.slipping(present, row)) {
+            return Ok(slips);
+        }
         let decided = avoid.filter(|&row| match S::ROWS.get(row) {
             Some(Row::Bilateral | Row::Load) => true,
             Some(Row::Unilateral) => present.active.get(row) == Some(&true),
@@ -95,7 +98,7 @@ where
         for part in thresholds() {
             let mut chosen: Option<Choice<S::Scalar, N, C, W>> = None;
             let mut other = None;
-            combine(&options, |parts| {
+            combine(&options, &changes(&S::ROWS), |parts| {
                 let Some(trial) = regime(&S::ROWS, parts, &options, &[false; C], self.kinks) else {
                     return false;
                 };
@@ -173,7 +176,7 @@ where
     }
 
     /// The consequences of a regime; `None` where it has no accelerations.
-    fn trial(&self, regime: Regime<S::Scalar, C, W>) -> Option<Choice<S::Scalar, N, C, W>> {
+    pub(super) fn trial(&self, regime: Regime<S::Scalar, C, W>) -> Option<Choice<S::Scalar, N, C, W>> {
         let begins = self.beginning(&regime);
         let has_begun = begins.any();
         let velocities = if has_begun { self.begun(&regime, &begins)? } else { self.state.v };
@@ -239,12 +242,11 @@ where
 
     /// The rate of the rate of a row.
     pub(super) fn rate(&self, row: usize, accelerations: &[S::Scalar; N]) -> S::Scalar {
-        let along = |gradient| product(gradient, accelerations);
-        self.gradients.get(row).map_or(num_traits::Zero::zero(), along) - entry(&self.gamma, row)
+        self.along(row, accelerations) - entry(&self.gamma, row)
     }
 
     /// Whether the demands of a combination agree with its consequences; if not, the row where they do not.
-    fn judge(
+    pub(super) fn judge(
         &self,
         parts: &[Part; C],
         trial: &Choice<S::Scalar, N, C, W>,
@@ -274,7 +276,7 @@ where
                 _ => zero,
             };
             let inexact = most(part, S::Scalar::epsilon().sqrt()) * (play / part + prevented);
-            if trial.regime.active[row] && *kind != Row::Bilateral && above(rate.abs(), inexact) {
+            if trial.regime.active[row] && above(rate.abs(), inexact) {
                 return Err(row);
             }
             let holds = match (kind, parts[row]) {
@@ -304,7 +306,11 @@ where
                             };
                             let (x, y) = (along(row), along(*other));
                             let turn = self.rate(*other, &trial.accelerations);
-                            !above(-play * x.hypot(y), x * rate + y * turn)
+                            let speed = x.hypot(y);
+                            // A slip that begins goes on in the direction that its friction resists.
+                            let aside = (x * turn - y * rate).abs();
+                            let size = play + S::Scalar::epsilon().sqrt() * rate.hypot(turn);
+                            !above(-play * speed, x * rate + y * turn) && !above(aside, size * speed)
                         }
                     }
                 }
@@ -315,12 +321,6 @@ where
             }
         }
         Ok(())
-    }
-
-    /// The largest force of a friction that sticks, in the direction of its force.
-    fn limit(&self, row: usize, normal: Option<usize>, multipliers: &[S::Scalar; C]) -> S::Scalar {
-        let coefficient = entry(&self.against(-entry(multipliers, row)).fixed, row);
-        normal.map_or(coefficient, |normal| coefficient * entry(multipliers, normal).abs())
     }
 }
 

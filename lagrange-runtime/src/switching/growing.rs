@@ -67,13 +67,18 @@ where
             return None;
         }
         let a = &choice.accelerations;
-        let together = match self.grown_in(choice.regime, a, scales) {
-            Ok(grown) => return Some(grown),
-            Err(Not::Grown) => return None,
-            Err(Not::Alone(regime)) => self.grown_in(regime, a, scales),
-        };
+        let mut regime = choice.regime;
+        for _ in 0..=C {
+            match self.grown_in(regime, a, scales) {
+                Ok(grown) => return Some(grown),
+                Err(Not::Grown) if regime == choice.regime => return None,
+                Err(Not::Grown) => break,
+                // The same load soon drives others, too.
+                Err(Not::Alone(other)) => regime = other,
+            }
+        }
         // What begins later meanwhile is met by the motion that has begun.
-        together.ok().or_else(|| self.until(choice.regime, a, scales))
+        self.until(choice.regime, a, scales)
     }
 
     /// The same in a regime, if all its slips that begin grow evenly from now on.
@@ -161,7 +166,11 @@ where
         shift(&mut state, a, later);
         state.t += later;
         in_regime.project_at(&in_regime.constants(), &mut state, None).map_err(|_| Not::Grown)?;
-        let rested = self.status.each(|status| status == Status::Rests);
+        // The state is projected onto these, so that what is left of their rates is rounding errors.
+        let rested = array(|row| match self.status.get(row) {
+            Some(Status::Touches) => regime.active.get(row) == Some(&true),
+            status => status == Some(&Status::Rests),
+        });
         let known = Known { closed: self.is_closed, fired: None, settled: true, rested };
         let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
         let there = scene.choose(&regime, None).map_err(|_| Not::Grown)?;

@@ -17,8 +17,8 @@
 //! before it to twice as far behind it the kinetic energy is a parabola with equal values at equal distances
 //! from its lowest point, which is not nearer than the plastic one.
 
-use super::scene::{Known, Scales, Scene, Status, above, most, product, rounding};
-use super::trials::{Options, Part, combinations, combine, thresholds};
+use super::scene::{Known, Scales, Scene, Status, above, entry, most, product, rounding};
+use super::trials::{Options, Part, changes, combinations, combine, thresholds};
 use super::{Row, Switching};
 use crate::number::elements::{Each, array};
 use crate::number::real::Real;
@@ -148,7 +148,7 @@ where
         let mut cause = Cause::NotFinite;
         for part in thresholds() {
             let mut found = None;
-            combine(&options, |parts| {
+            combine(&options, &changes(&S::ROWS), |parts| {
                 match self.agreed(parts, &options, demand, part) {
                     Some(Ok(strike)) => found = Some(strike),
                     Some(Err(constraint)) if cause == Cause::NotFinite => {
@@ -187,6 +187,7 @@ where
             (Row::Unilateral, Status::Apart) if self.is_closed[row] => Options::new(&[Part::Off, Part::On]),
             (Row::Unilateral, Status::Meets | Status::Touches) => Options::new(&[Part::On, Part::Off]),
             (Row::Friction { normal: None, .. }, _) => Options::new(&[Part::Off]),
+            (Row::Friction { .. }, _) if self.is_frictionless(row) => Options::new(&[Part::Off]),
             (Row::Friction { normal: Some(normal), .. }, _)
                 if S::ROWS.get(normal) == Some(&Row::Unilateral)
                     && self.is_closed.get(normal) == Some(&false) =>
@@ -207,11 +208,13 @@ where
 
     /// The demanded change of the rate of a row that holds.
     pub(super) fn wanted(&self, row: usize, restitution: &[S::Scalar; C]) -> S::Scalar {
-        let rate = self.laws.rows.rates[row];
-        match S::ROWS[row] {
-            Row::Bilateral | Row::Load => num_traits::Zero::zero(),
-            Row::Unilateral if self.status[row] == Status::Meets => -(rate + restitution[row] * rate),
-            Row::Unilateral | Row::Friction { .. } => -rate,
+        let rate = entry(&self.laws.rows.rates, row);
+        match S::ROWS.get(row) {
+            Some(Row::Bilateral | Row::Load) | None => num_traits::Zero::zero(),
+            Some(Row::Unilateral) if self.status.get(row) == Some(&Status::Meets) => {
+                -(rate + entry(restitution, row) * rate)
+            }
+            Some(Row::Unilateral | Row::Friction { .. }) => -rate,
         }
     }
 
@@ -229,42 +232,42 @@ where
         self.load(&demand.given, &mut sizes);
         let scale = |row: usize| self.borne(row, &sizes);
         for (row, kind) in S::ROWS.iter().enumerate() {
-            let gradient = &self.gradients[row];
-            let before = self.laws.rows.rates[row];
-            let change = product(gradient, &strike.changes);
+            let before = entry(&self.laws.rows.rates, row);
+            let change = self.along(row, &strike.changes);
             let after = before + change;
-            let play = part * (most(self.speeds[row], before.abs()) + change.abs());
+            let speed = entry(&self.speeds, row);
+            let play = part * (most(speed, before.abs()) + change.abs());
             let slack = part * scale(row);
-            let impulse = strike.impulses[row];
+            let impulse = entry(&strike.impulses, row);
             // Rows that depend on each other may demand contradictory things.
             let wanted = self.wanted(row, &demand.restitution);
-            let asked = strike.active[row] && *kind != Row::Bilateral;
+            let asked = strike.active.get(row) == Some(&true);
             // What single impulses do to its rate is the measure where all rates are roundings.
             let single = self.effect(row, &sizes);
-            let inexact =
-                S::Scalar::epsilon().sqrt() * (wanted.abs() + change.abs() + self.speeds[row] + single);
+            let inexact = S::Scalar::epsilon().sqrt() * (wanted.abs() + change.abs() + speed + single);
             if asked && above((change - wanted).abs(), inexact) {
                 return Err(row);
             }
-            let holds = match (kind, parts[row]) {
+            let way = parts.get(row).copied().unwrap_or(Part::Off);
+            let holds = match (kind, way) {
                 (Row::Bilateral, Part::Against) => !above(impulse, slack),
                 (Row::Bilateral, _) if super::choice::is_limit(&S::ROWS, row) => !above(-slack, impulse),
                 (Row::Unilateral, Part::On) => !above(-slack, impulse),
-                (Row::Unilateral, _) if self.is_closed[row] => {
-                    let meets = self.status[row] == Status::Meets;
-                    let back = if meets { demand.restitution[row] * before } else { zero };
+                (Row::Unilateral, _) if self.is_closed.get(row) == Some(&true) => {
+                    let meets = self.status.get(row) == Some(&Status::Meets);
+                    let back = if meets { entry(&demand.restitution, row) * before } else { zero };
                     !above(-play, after + back)
                 }
                 (Row::Friction { normal: Some(normal), pair }, way) => {
-                    let given = demand.given[*normal];
-                    let limit =
-                        self.against(-impulse).kinetic[row] * (strike.impulses[*normal] + given).abs();
+                    let given = entry(&demand.given, *normal);
+                    let pressing = entry(&strike.impulses, *normal) + given;
+                    let limit = entry(&self.against(-impulse).kinetic, row) * pressing.abs();
                     let (other, slack) = match *pair {
-                        Some(other) => (strike.impulses[other], most(slack, part * scale(other))),
+                        Some(other) => (entry(&strike.impulses, other), most(slack, part * scale(other))),
                         None => (zero, slack),
                     };
                     match way {
-                        Part::On if parts[*normal] != Part::Off || given.is_positive() => {
+                        Part::On if parts.get(*normal) != Some(&Part::Off) || given.is_positive() => {
                             !above(impulse.hypot(other), limit + part * limit + slack)
                         }
                         Part::Forward if pair.is_none() => !above(-play, after),

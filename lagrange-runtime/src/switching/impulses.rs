@@ -1,7 +1,7 @@
 //! The impulses of one combination of activities in an impact.
 
 use super::impact::{Demand, Impulses};
-use super::scene::{Scene, Sticking, above, most, product};
+use super::scene::{Scene, Sticking, above, entry, most, put};
 use super::trials::{Options, Part, regime};
 use super::turning::{TURNS, Turning, newton, pairs};
 use super::{Regime, Row, Switching};
@@ -45,14 +45,13 @@ where
         };
         // A slip in two directions is sought so that friction opposes the slip that follows.
         let zero: S::Scalar = num_traits::Zero::zero();
-        let turns = |row: usize| regime.slip[row] != zero;
+        let turns = |row: usize| entry(&regime.slip, row) != zero;
         if !pairs(&S::ROWS).any(|[row, _]| turns(row)) {
             return solve(&in_regime, v).map(found);
         }
         let smooth = self.without_friction(parts, options, demand)?;
         let rates = &self.laws.rows.rates;
-        let after =
-            |row: usize, changes: &[S::Scalar; N]| rates[row] + product(&self.gradients[row], changes);
+        let after = |row: usize, changes: &[S::Scalar; N]| entry(rates, row) + self.along(row, changes);
         // The strike at velocities with some slips, what it lacks of their change, and whether that is
         // nothing.
         let seek = |changes: &[S::Scalar; N]| {
@@ -60,11 +59,12 @@ where
             let strike = solve(&in_regime, &array(|i| v[i] + changes[i]))?;
             let (mut lacks, mut is_done) = ([zero; C], true);
             for [row, other] in pairs(&S::ROWS).filter(|[row, _]| turns(*row)) {
-                for row in [row, other] {
-                    lacks[row] = after(row, &strike.0) - slips[row];
-                }
-                let size = most(self.speeds[row], self.speeds[other]) + slips[row].hypot(slips[other]);
-                is_done = is_done && !above(lacks[row].hypot(lacks[other]), part * size);
+                let [x, y] = [row, other].each(|row| entry(&slips, row));
+                let [lack_x, lack_y] = [after(row, &strike.0) - x, after(other, &strike.0) - y];
+                put(&mut lacks, row, lack_x);
+                put(&mut lacks, other, lack_y);
+                let size = most(entry(&self.speeds, row), entry(&self.speeds, other)) + x.hypot(y);
+                is_done = is_done && !above(lack_x.hypot(lack_y), part * size);
             }
             Some((strike, slips, lacks, is_done))
         };
@@ -158,22 +158,24 @@ where
         let zero: S::Scalar = num_traits::Zero::zero();
         let rate = |row: usize| {
             let change = array(|i| after[i] - self.state.v[i]);
-            self.laws.rows.rates[row] + product(&self.gradients[row], &change)
+            entry(&self.laws.rows.rates, row) + self.along(row, &change)
         };
         for (row, kind) in S::ROWS.iter().enumerate() {
             let Row::Friction { normal: Some(normal), pair } = kind else { continue };
-            let slip = regime.slip[row];
+            let slip = entry(&regime.slip, row);
             if slip == zero {
                 continue;
             }
-            let size = self.against(slip).kinetic[row] * (impulses[*normal] + given[*normal]).abs();
+            let pressing = entry(&impulses, *normal) + entry(given, *normal);
+            let size = entry(&self.against(slip).kinetic, row) * pressing.abs();
             match pair {
-                None => impulses[row] = -slip * size,
+                None => put(&mut impulses, row, -slip * size),
                 Some(other) => {
                     let (x, y) = (rate(row), rate(*other));
                     let length = x.hypot(y);
                     if length.is_positive() {
-                        (impulses[row], impulses[*other]) = (-size * x / length, -size * y / length);
+                        put(&mut impulses, row, -size * x / length);
+                        put(&mut impulses, *other, -size * y / length);
                     }
                 }
             }

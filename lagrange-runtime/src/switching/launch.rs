@@ -206,7 +206,11 @@ where
 
     /// The change of the rate of a row by velocities.
     pub(super) fn change(&self, row: usize, velocities: &[S::Scalar; N]) -> S::Scalar {
-        let change = array(|i| velocities[i] - self.state.v[i]);
-        self.gradients.get(row).map_or(num_traits::Zero::zero(), |gradient| product(gradient, &change))
+        self.along(row, &array(|i| velocities[i] - self.state.v[i]))
+    }
+
+    /// Σ aᵢ xᵢ of the gradient of a row: what a change of velocities does to its rate.
+    pub(super) fn along(&self, row: usize, change: &[S::Scalar; N]) -> S::Scalar {
+        self.gradients.get(row).map_or(num_traits::Zero::zero(), |gradient| product(gradient, change))
     }
 }

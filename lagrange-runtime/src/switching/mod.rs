@@ -24,6 +24,7 @@ mod hybrid;
 mod impact;
 mod impulses;
 mod launch;
+mod limits;
 mod memory;
 mod nearest;
 mod reactions;

@@ -40,7 +40,8 @@ where
         let State { t, q, v } = state;
         let rates = self.system.laws_at(*t, q, v, self.inputs).rows.rates;
         let (mut closed, mut wanted) = (*regime, [zero; C]);
-        for row in (0..C).filter(|&row| (against(row) * rates[row]).is_positive()) {
+        let is_against = |row: &usize| (against(*row) * rates[*row]).is_positive();
+        for row in (0..C).filter(is_against).filter(|&row| self.is_noise(row, rates[row], regime, v)) {
             (closed.active[row], closed.slip[row]) = (true, zero);
             wanted[row] = -rates[row].part(0);
         }
@@ -54,6 +55,31 @@ where
         for (v, change) in v.iter_mut().zip(changes).filter(|(_, change)| change.is_finite()) {
             *v += change.part(0);
         }
+    }
+
+    /// Whether the motion does not notice that velocities lose what they contribute to the rate of a row.
+    /// Where its gradient nearly vanishes, as that of the place of a slider in a dead centre, all of the
+    /// velocity contributes nearly nothing, while it accelerates the row by γ.
+    fn is_noise(
+        &self,
+        row: usize,
+        rate: S::Scalar,
+        regime: &Regime<S::Scalar, C, W>,
+        v: &[S::Scalar; N],
+    ) -> bool {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let Some(gradient) = self.gradients.get(row) else { return false };
+        let Some((_, sizes)) = self.balance(regime, v) else { return false };
+        let (mut square, mut fastest) = (zero, zero);
+        for ((&entry, &v), &unit) in gradient.iter().zip(v).zip(&self.units) {
+            if unit.is_positive() {
+                square += (entry * unit) * (entry * unit);
+                fastest = most(fastest, v.abs() / unit);
+            }
+        }
+        let lost = rate.abs() * entry(&self.gamma, row).abs();
+        let own = S::Scalar::epsilon().sqrt() * self.extent_of(row, &sizes.accelerations);
+        !above(lost, own * square.sqrt() * fastest)
     }
 
     /// The cause of the end of a motion with derivatives where impacts are taken together.

@@ -194,6 +194,7 @@ where
                 // The length of the next step is not bounded by that of the last one.
                 M::restart(&mut self.memory.inner, here);
             }
+            let t_end = if M::IS_PACED { self.steady(t) } else { t };
             let memory = &mut *self.memory;
             let (in_regime, constants) = (&memory.in_regime, &memory.constants);
             // A motion with constant accelerations has a series for all times, of which the end leaves the
@@ -203,7 +204,7 @@ where
                 limits.step = Some(limits.clip(S::Scalar::from_f64(AHEAD) * (t - here.t).abs()));
             }
             let mut stepped =
-                M::step(&mut memory.inner, in_regime, constants, self.control, &limits, t, attempts);
+                M::step(&mut memory.inner, in_regime, constants, self.control, &limits, t_end, attempts);
             // The end of such a series may lie where no configuration is known well enough.
             for _ in 0..NEARER {
                 let Err(MotionError { cause: Cause::Undetermined { .. }, .. }) = stepped else { break };
@@ -211,7 +212,7 @@ where
                 *longest /= S::Scalar::from_f64(AHEAD);
                 M::restart(&mut memory.inner, here);
                 stepped =
-                    M::step(&mut memory.inner, in_regime, constants, self.control, &limits, t, attempts);
+                    M::step(&mut memory.inner, in_regime, constants, self.control, &limits, t_end, attempts);
             }
             if let Err(error) = stepped {
                 if self.lets_go(&error.cause).map_err(|cause| at(&here, cause))? {

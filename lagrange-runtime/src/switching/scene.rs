@@ -135,7 +135,7 @@ pub(super) struct Known<const C: usize> {
     pub(super) closed: [bool; C],
     /// The row whose guard has led here: its gap or its slip velocity is zero.
     pub(super) fired: Option<usize>,
-    /// Slips that count as zero, likewise.
+    /// Rates of gaps that are zero, and slips, that count as zero, likewise.
     pub(super) rested: [bool; C],
     /// Whether impacts are over: the closing velocities that are left are rounding errors.
     pub(super) settled: bool,
@@ -210,9 +210,10 @@ where
         }
         // A friction is that of a contact that touches.
         let contacts = scene.status;
-        for (status, row) in scene.status.iter_mut().zip(S::ROWS) {
-            if let Row::Friction { normal: Some(normal), .. } = row
-                && contacts.get(normal) == Some(&Status::Apart)
+        let is_none: [bool; C] = array(|row| scene.is_frictionless(row));
+        for ((status, row), is_none) in scene.status.iter_mut().zip(S::ROWS).zip(is_none) {
+            if let Row::Friction { normal, .. } = row
+                && (is_none || normal.is_some_and(|normal| contacts.get(normal) == Some(&Status::Apart)))
             {
                 *status = Status::Apart;
             }
@@ -243,7 +244,9 @@ where
                 let rate = rows.rates[row];
                 if !self.is_closed[row] {
                     Status::Apart
-                } else if !above(rate.abs(), part * self.speeds[row]) || known.settled && !rate.is_positive()
+                } else if known.rested[row]
+                    || !above(rate.abs(), part * self.speeds[row])
+                    || known.settled && !rate.is_positive()
                 {
                     Status::Touches
                 } else if rate.is_positive() {

@@ -139,6 +139,12 @@ where
                 !above(bound - product(&cut, &found), rounding::<S::Scalar>() * slack)
             });
             if is_possible {
+                // Pushes along cuts that hardly differ may be so large that their sum has no digits left.
+                let again = project(&found);
+                let lost: [S::Scalar; C] = array(|row| again[row] - base[row]);
+                if above(product(&lost, &lost).sqrt(), S::Scalar::epsilon().sqrt() * size) {
+                    return None;
+                }
                 return Some(array(|row| match S::ROWS[row] {
                     Row::Unilateral => most(found[row], zero),
                     _ => found[row],

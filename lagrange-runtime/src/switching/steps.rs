@@ -5,12 +5,15 @@
 //! its regime, and its accuracy that of the order.
 
 use super::run::Run;
+use super::scene::{above, entry};
 use super::since::{InRegimeSince, Since};
+use super::turning::pairs;
 use super::{Hybrid, HybridMemory, Regime, Switching};
 use crate::integrator::jets::JetsMemory;
 use crate::integrator::jets::paced::Paced;
 use crate::integrator::{Jet, Limits};
-use crate::number::real::Ordered;
+use crate::number::elements::{Each, array};
+use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::control::Held;
 use crate::system::error::Cause;
@@ -105,5 +108,41 @@ where
                 Err(error.cause)
             }
         }
+    }
+}
+
+impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+    M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
+{
+    /// The time, up to `t` \[s], to which a series can lead whose length nothing else controls. A slip in two
+    /// directions that has just begun is slow, so that its direction, and with it friction, may turn within
+    /// the time in which the slip doubles. The series converges no further.
+    pub(super) fn steady(&self, t: S::Scalar) -> S::Scalar {
+        let memory = &*self.memory;
+        let State { t: now, q, v } = memory.end;
+        let slips = |row: usize| entry(&memory.regime.slip, row) != num_traits::Zero::zero();
+        if !pairs(&S::ROWS).any(|[row, _]| slips(row)) {
+            return t;
+        }
+        let inputs = &self.control.0;
+        let a = memory.in_regime.accelerations_at(&memory.constants, now, &q, &v, inputs);
+        // Slips are linear in velocities.
+        let [own, gained] =
+            [v, array(|i| v[i] + a[i])].each(|v| self.system.laws_at(now, &q, &v, inputs).rows.rates);
+        let mut least = (t - now).abs();
+        for [row, other] in pairs(&S::ROWS).filter(|[row, _]| slips(*row)) {
+            let [x, y] = [row, other].each(|row| entry(&own, row));
+            let [gain_x, gain_y] = [row, other].each(|row| entry(&gained, row) - entry(&own, row));
+            let (slip, gain) = (x.hypot(y), gain_x.hypot(gain_y));
+            // A slip that comes to rest does so in a straight line.
+            let grows = (x * gain_x + y * gain_y).is_positive();
+            if grows && slip.is_positive() && above(least * gain, slip) {
+                least = slip / gain;
+            }
+        }
+        if above((t - now).abs(), least) { now + if above(t, now) { least } else { -least } } else { t }
     }
 }

@@ -92,18 +92,38 @@ pub(super) fn combinations<const C: usize>(options: &[Options; C]) -> usize {
     options.iter().map(count).fold(1, |total: usize, count| total.saturating_mul(count).min(COMBINATIONS))
 }
 
+/// The changes that a change of each row is: a contact that opens or closes takes its frictions along.
+pub(super) fn changes<const C: usize>(rows: &[Row; C]) -> [usize; C] {
+    array(|row| {
+        let is_along =
+            |other: &Row| matches!(other, Row::Friction { normal: Some(normal), .. } if *normal == row);
+        1 + if rows.get(row) == Some(&Row::Unilateral) {
+            rows.iter().filter(|other| is_along(other)).count()
+        } else {
+            0
+        }
+    })
+}
+
 /// All combinations, those with the fewest changes first, until `visit` returns true.
-pub(super) fn combine<const C: usize>(options: &[Options; C], mut visit: impl FnMut(&[Part; C]) -> bool) {
+pub(super) fn combine<const C: usize>(
+    options: &[Options; C],
+    weights: &[usize; C],
+    mut visit: impl FnMut(&[Part; C]) -> bool,
+) {
     let total = combinations(options);
     let mut visited = 0;
-    for changes in 0..=C {
+    let most = weights.iter().sum();
+    for changes in 0..=most {
         for number in 0..total {
             let (mut rest, mut changed) = (number, 0);
             let parts = array(|row| {
                 let count = options[row].count.max(1);
                 let digit = rest % count;
                 rest /= count;
-                changed += usize::from(digit > 0);
+                if digit > 0 {
+                    changed += weights.get(row).copied().unwrap_or(1);
+                }
                 options[row].parts.get(digit).copied().unwrap_or(Part::Off)
             });
             if changed == changes {
@@ -185,7 +205,7 @@ mod tests {
         ];
         let mut seen = [[Part::Against; 2]; 6];
         let mut count = 0;
-        combine(&options, |parts| {
+        combine(&options, &[1; 2], |parts| {
             seen[count] = *parts;
             count += 1;
             false

@@ -7,7 +7,7 @@
 //! direction.
 
 use super::Row;
-use super::scene::{above, most};
+use super::scene::{above, entry, most, put};
 use crate::linear::Lu;
 use crate::number::elements::array;
 use crate::number::real::Real;
@@ -80,12 +80,15 @@ pub(super) fn newton<R: Real, const N: usize>(
         let mut matrix = [[R::zero(); N]; N];
         for (j, &unit) in units.iter().enumerate() {
             let (mut beside, own) = (x, change * unit);
-            matrix[j][j] = one;
+            if let Some(row) = matrix.get_mut(j) {
+                put(row, j, one);
+            }
             if own.is_positive() {
-                beside[j] += own;
+                put(&mut beside, j, entry(&x, j) + own);
                 let (moved, _) = image(&beside)?;
                 for (row, (&moved, &reached)) in matrix.iter_mut().zip(moved.iter().zip(&reached)) {
-                    row[j] -= ((moved - reached) / own).part(0);
+                    let by_difference = ((moved - reached) / own).part(0);
+                    put(row, j, entry(row, j) - by_difference);
                 }
             }
         }

@@ -92,6 +92,9 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
     /// The memory of a motion by this method between steps.
     type Memory: Copy + core::fmt::Debug;
 
+    /// Whether steps are as long as the caller says, however fast the motion changes.
+    const IS_PACED: bool = false;
+
     /// The memory of a motion that begins at a state.
     fn begin(system: &S, start: State<S::Scalar, N>) -> Self::Memory
     where

@@ -21,8 +21,8 @@ pub trait ConstantMass<const N: usize, const K: usize = 0>: System<N, K> {}
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not separable: its mass matrix varies, a force depends on velocities, or a constraint holds it",
     label = "a splitting method does not work on `{Self}`",
-    note = "use `Jet<6>` or `simulate`, or for long runs `Gauss4`, `Gauss6` or `Gauss8`, which are symplectic on every \
-            system and need `jacobians` in the attribute"
+    note = "use `Jet<6>` or `simulate`, or for long runs without constraints `Gauss4`, `Gauss6` or `Gauss8`, which are \
+            reversible and need `jacobians` in the attribute"
 )]
 pub trait Separable<const N: usize, const K: usize = 0>: ConstantMass<N, K> {}
 

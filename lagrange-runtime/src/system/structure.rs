@@ -62,12 +62,12 @@ impl fmt::Display for Cost {
     }
 }
 
-/// Operations of one evaluation as written and as emitted.
+/// Operations of one evaluation of the accelerations, as derived and as emitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Costs {
-    /// Before optimisation.
+    /// Before optimisation, with those on parameters alone.
     pub before: Cost,
-    /// After optimisation.
+    /// After optimisation, without those done once per run.
     pub after: Cost,
 }
 

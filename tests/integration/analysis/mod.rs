@@ -9,6 +9,7 @@ mod flat;
 mod floquet;
 mod limits;
 mod modes;
+mod nonholonomic;
 mod scalars;
 mod seeds;
 mod sensitivities;

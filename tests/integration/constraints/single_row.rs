@@ -2,14 +2,14 @@
 
 use lagrangian::prelude::*;
 
-use crate::support::close::close;
+use crate::support::close::{close, close_on};
 
 /// A four-bar with a base of 2, cranks of 1 and a coupler of 2, by the angles of its cranks. Where both lie
 /// along the base, its two forms meet: the parallelogram, ψ = θ, and the antiparallelogram, tan ψ/2 = −3 tan
 /// θ/2.
 struct FourBar;
 
-#[lagrangian(coordinates = [theta, psi])]
+#[lagrangian(coordinates = [theta, psi], jacobians)]
 impl FourBar {
     #[point(mass = 1.0)]
     fn left(&self, q: &Coordinates) -> Vector2<f64> {
@@ -132,6 +132,32 @@ fn dop853_stays_on_its_branch_or_says_that_it_cannot() {
             match motion.with_max_steps(2000).advance_to(2.0 / speed) {
                 Ok(end) => branch(&Isosceles, [&start, end], FOLLOWING, tolerance),
                 Err(error) => assert!(tolerance < 1e-6, "{error}"),
+            }
+        }
+    }
+}
+
+/// A single row depends on no other, so a stage beside it has its own accelerations, close to the crossing
+/// too.
+#[test]
+fn derivatives_beside_the_row_are_those_of_the_accelerations() {
+    for theta in [1e-2, 1e-3, 3e-4] {
+        let psi = -2.0 * (3.0 * (0.5_f64 * theta).tan()).atan();
+        let (q, v) = ([theta, psi + 0.1 * theta], [1.0, -5.0]);
+        let accelerations =
+            |q: &[f64; 2], v: &[f64; 2]| FourBar.accelerations_at(&FourBar.constants(), 0.0, q, v, &[]);
+        let a = accelerations(&q, &v);
+        let found = FourBar.linearization_at(&FourBar.constants(), 0.0, &q, &v, &a, &[]);
+        for j in 0..2 {
+            let moved =
+                |x: [f64; 2], by: f64| core::array::from_fn(|i| if i == j { x[i] + by } else { x[i] });
+            let step = 1e-4 * theta;
+            let (before, after) = (accelerations(&moved(q, -step), &v), accelerations(&moved(q, step), &v));
+            let (slower, faster) = (accelerations(&q, &moved(v, -1e-4)), accelerations(&q, &moved(v, 1e-4)));
+            for i in 0..2 {
+                let scale = (a[i] / theta).abs();
+                close_on(scale, found.by_q[i][j], (after[i] - before[i]) / (2.0 * step), 1e-5);
+                close_on(scale, found.by_v[i][j], (faster[i] - slower[i]) / 2e-4, 1e-5);
             }
         }
     }

@@ -2,6 +2,7 @@
 
 mod balls;
 mod bearings;
+mod breakaway;
 mod coincident;
 mod corners;
 mod directions;
@@ -15,6 +16,7 @@ mod kinks;
 mod laws;
 mod leashes;
 mod legs;
+mod linkages;
 mod nested;
 mod normals;
 mod onsets;

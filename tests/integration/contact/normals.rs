@@ -132,3 +132,60 @@ fn a_gap_in_other_units_has_the_same_friction() {
         close_on(1.0, end.q[0], 0.4 - 0.5 * 0.3 * 9.81 * 0.04, 1e-12);
     }
 }
+
+/// A cart with a leg whose foot slides on a floor, with the height of the foot as a coordinate that is
+/// eliminated, and without it.
+macro_rules! leg {
+    ($system:ident, [$($coordinate:ident),*], $q:ident: $height:expr, $scale:literal, { $($constraint:tt)* }) => {
+        struct $system;
+
+        #[lagrangian(coordinates = [$($coordinate),*])]
+        impl $system {
+            #[point(mass = 1.0)]
+            fn cart(&self, q: &Coordinates) -> Vector2<f64> {
+                Vector2::new(q.x, 0.3 * q.x)
+            }
+
+            #[point(mass = 1.0)]
+            fn foot(&self, $q: &Coordinates) -> Vector2<f64> {
+                Vector2::new($q.x + 0.2 * $q.s, $height)
+            }
+
+            #[potential]
+            fn weight(&self, q: &Coordinates) -> f64 {
+                9.81 * (self.cart(q).y + self.foot(q).y)
+            }
+
+            $($constraint)*
+
+            #[unilateral]
+            fn floor(&self, q: &Coordinates) -> f64 {
+                $scale * self.foot(q).y
+            }
+
+            #[friction(coefficient = 0.2, normal = floor)]
+            fn slip(&self, q: &Coordinates, v: &Velocities) -> f64 {
+                self.foot_velocity(q, v).x
+            }
+        }
+    };
+}
+
+leg!(Redundant, [y, x, s], q: q.y, 3.0, {
+    #[holonomic(eliminate = y)]
+    fn length(&self, q: &Coordinates) -> f64 {
+        q.y - q.x.sin() - 0.5 * q.s
+    }
+});
+leg!(Minimal, [x, s], q: q.x.sin() + 0.5 * q.s, 1.0, {});
+
+/// In the air, through an impact, and sliding from the start.
+#[test]
+fn a_coordinate_of_the_place_may_be_eliminated() {
+    let (sin, cos) = 0.2_f64.sin_cos();
+    for start in [State::new([0.4, 1.0], [1.0, 0.3]), State::new([0.2, -2.0 * sin], [1.0, -2.0 * cos])] {
+        let redundant = Redundant.simulate(start).with_tolerance(TIGHT).advance_to(0.9).unwrap().q;
+        let minimal = Minimal.simulate(start).with_tolerance(TIGHT).advance_to(0.9).unwrap().q;
+        all_close(redundant, minimal, 1e-11);
+    }
+}

@@ -54,7 +54,7 @@ impl Mechanism {
     /// Two at the upper side of the guide, two at the lower one.
     #[unilateral(restitution = 0.4)]
     fn corners(&self, q: &Coordinates) -> [f64; 4] {
-        let y = self.pin(q).y + self.along_rod(q).y;
+        let y = self.third(q).translation.y;
         let (lever, height) = (HALF[0] * q.slider.sin(), HALF[1] * q.slider.cos());
         [
             GUIDE - (y - lever + height),

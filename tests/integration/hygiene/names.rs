@@ -129,3 +129,41 @@ fn names_of_the_recurrences_are_free() {
     all_close(found.q, expected.q, 1e-11);
     all_close(found.v, expected.v, 1e-11);
 }
+
+/// Names that the equations of a regime bind for themselves.
+struct Regimes {
+    coupling: f64,
+    shares: f64,
+    functions: f64,
+}
+
+#[lagrangian(coordinates = [active, forces])]
+impl Regimes {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * (v.active.powi(2) + v.forces.powi(2))
+    }
+
+    #[potential]
+    fn potential(&self, q: &Coordinates) -> f64 {
+        let push = if q.forces > 0.5 { q.forces } else { 0.5 };
+        0.5 * self.coupling * q.active.powi(2) + self.shares * q.forces + self.functions * push
+    }
+
+    #[unilateral]
+    fn gap(&self, q: &Coordinates) -> f64 {
+        q.forces
+    }
+
+    #[friction(limit = 0.25)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.active
+    }
+}
+
+#[test]
+fn names_of_the_equations_of_a_regime_are_free() {
+    let system = Regimes { coupling: 2.0, shares: 9.0, functions: 4.0 };
+    let found = system.accelerations(&State::new([0.5, 1.0], [0.1, 0.0])).unwrap();
+    all_close(found, [-1.25, -13.0], 1e-14);
+}

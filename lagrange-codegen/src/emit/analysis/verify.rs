@@ -203,15 +203,15 @@ fn described(emission: &mut Emission<'_>) -> String {
             "let weights: [({number}, [[{number}; 3]; 3]); {}] = [{}];\n\
              let mut described = lagrange::verify::Described {{ kinetic: {zero}, potential: {zero}, lagrangian: {zero}, \
              uncertainty: {zero} }};\n\
-             let path = |x: {number}| lagrange::State::<{number}, {count}> {{ t: state.t + x, \
-             q: ::core::array::from_fn(|i| state.q[i] + x * state.v[i]), v: state.v }};\n",
+             let path = |shift: {number}| lagrange::State::<{number}, {count}> {{ t: state.t + shift, \
+             q: ::core::array::from_fn(|i| state.q[i] + shift * state.v[i]), v: state.v }};\n",
             weights.len(),
             weights.join(", ")
         );
         for (index, (name, ..)) in placed.iter().enumerate() {
             let (function, element) = name.split_at(name.find('[').unwrap_or(name.len()));
             text.push_str(&format!(
-                "let (energy, doubt) = lagrange::verify::kinetic(|x| {{\nlet state = &path(x);\n{}{element}\n}}, \
+                "let (energy, doubt) = lagrange::verify::kinetic(|shift| {{\nlet state = &path(shift);\n{}{element}\n}}, \
                  time, weights[{index}].0, weights[{index}].1);\n\
                  described.kinetic += energy;\ndescribed.uncertainty += doubt;\n",
                 call(emission, function)

@@ -43,6 +43,8 @@ pub(super) enum Strength {
     Product,
     /// `sin θ`: no power can follow.
     Application,
+    /// `x²` or `√x`: no further power can follow.
+    Power,
     Atom,
 }
 
@@ -53,8 +55,9 @@ impl Formula {
             Formula::Sum(_) => Strength::Sum,
             Formula::Scaled(..) | Formula::Product(_) | Formula::Fraction(..) => Strength::Product,
             Formula::Application(Application { is_grouped: false, .. }) => Strength::Application,
-            Formula::Symbol(_) | Formula::Number(_) | Formula::Power(..) | Formula::Root(_) => Strength::Atom,
-            Formula::Group(_) | Formula::Absolute(_) | Formula::Application(_) => Strength::Atom,
+            Formula::Power(..) | Formula::Root(_) => Strength::Power,
+            Formula::Symbol(_) | Formula::Number(_) | Formula::Group(_) => Strength::Atom,
+            Formula::Absolute(_) | Formula::Application(_) => Strength::Atom,
         }
     }
 
@@ -63,7 +66,8 @@ impl Formula {
         if self.strength() == Strength::Sum { self.grouped() } else { self }
     }
 
-    /// The formula as the base of a power: sums, products and functions without parentheses get them.
+    /// The formula as the base of a power: all but symbols, numbers and what has parentheses or bars get
+    /// them.
     pub fn into_atom(self) -> Formula {
         if self.strength() == Strength::Atom { self } else { self.grouped() }
     }

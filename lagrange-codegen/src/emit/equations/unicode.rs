@@ -25,7 +25,7 @@ pub(super) fn formula(written: &Formula) -> String {
         Formula::Sum(terms) => formula::terms(terms, ["−", " + ", " − "], formula),
         Formula::Scaled(coefficient, factor) => format!("{} {}", number(*coefficient), formula(factor)),
         Formula::Product(factors) => formula::factors(factors, [" ", "·"], formula),
-        Formula::Fraction(above, below) if below.strength() < Strength::Atom => {
+        Formula::Fraction(above, below) if below.strength() < Strength::Power => {
             format!("{}/({})", formula(above), formula(below))
         }
         Formula::Fraction(above, below) => format!("{}/{}", formula(above), formula(below)),

@@ -182,7 +182,7 @@ impl Writer<'_> {
             Unary::Sin | Unary::Cos | Unary::Tan | Unary::Sinh | Unary::Cosh | Unary::Tanh => function.name(),
             Unary::Sech | Unary::Exp | Unary::Ln | Unary::Cbrt => function.name(),
         };
-        let is_grouped = !is_trigonometric(function) || inner.strength() < Strength::Atom;
+        let is_grouped = !is_trigonometric(function) || inner.strength() < Strength::Power;
         let zero = (function == Unary::PositivePart).then_some(Formula::Number(Number::ZERO));
         let arguments = zero.into_iter().chain([inner]).collect();
         Formula::Application(Application { name, power, arguments, is_grouped })
@@ -192,4 +192,26 @@ impl Writer<'_> {
 fn is_trigonometric(function: Unary) -> bool {
     use Unary::{Cos, Cosh, Sech, Sin, Sinh, Tan, Tanh};
     matches!(function, Sin | Cos | Tan | Sinh | Cosh | Tanh | Sech)
+}
+
+#[cfg(test)]
+mod tests {
+    use quote::quote;
+
+    use crate::{Settings, expand_with};
+
+    #[test]
+    fn a_power_of_a_power_has_parentheses() {
+        let item = quote! {
+            impl Spring {
+                #[kinetic] fn motion(&self, v: &Velocities) -> f64 { 0.5 * v.x * v.x }
+                #[force(on = x)] fn push(&self, q: &Coordinates) -> f64 { q.x.powf(1.3).powi(2) }
+            }
+        };
+        let settings = Settings { formulas: true, ..Settings::default() };
+        let found = expand_with(quote!(coordinates = [x]), item, "::lagrangian", settings).to_string();
+        for power in ["((x)^(1.3))²", r"{\\left({\\left(x\\right)}^{1.3}\\right)}^{2}"] {
+            assert!(found.contains(power), "{found}");
+        }
+    }
 }

@@ -197,3 +197,52 @@ fn the_form_is_checked() {
         "`q` is not in sight here: ",
     );
 }
+
+#[test]
+fn an_orientation_that_a_constraint_names_moves_what_it_carries() {
+    let top = |lean: TokenStream| {
+        quote! {
+            impl Top {
+                #[point(mass = 1.0)]
+                fn tip(&self, q: &Coordinates) -> Vector3<f64> { q.attitude * Vector3::z() }
+                #[holonomic]
+                fn rest(&self, q: &Coordinates) -> f64 { self.tip(q).z - 0.5 }
+                #[holonomic]
+                fn lean(&self, q: &Coordinates) -> f64 { #lean }
+                #[friction(coefficient = 0.3, normal = tip)]
+                fn slip(&self, v: &Velocities) -> f64 { v.attitude.x }
+            }
+        }
+    };
+    let args = quote!(coordinates = [attitude: Rotation, beside: Rotation]);
+    refused(
+        args.clone(),
+        top(quote!((q.attitude * Vector3::x()).y)),
+        "`lean` names coordinates that move `tip`, so that its force there does not follow from its form; ",
+    );
+    let model = lowered(args, top(quote!((q.beside * Vector3::x()).y))).expect("accepted");
+    assert_eq!(model.contacts.len(), 1);
+}
+
+#[test]
+fn friction_by_all_forces_on_a_place_knows_of_eliminated_constraints() {
+    let bead = |side: TokenStream| {
+        quote! {
+            impl Bead {
+                #[point(mass = 1.0)]
+                fn tip(&self, q: &Coordinates) -> Vector3<f64> { Vector3::new(q.x, q.y, q.z) }
+                #[holonomic]
+                fn bottom(&self, q: &Coordinates) -> f64 { self.tip(q).z }
+                #[holonomic(eliminate)]
+                fn side(&self, q: &Coordinates, t: f64) -> f64 { #side }
+                #[friction(coefficient = 0.3, normal = tip)]
+                fn slip(&self, v: &Velocities) -> f64 { v.x }
+            }
+        }
+    };
+    let args = quote!(coordinates = [x, y, z, motor]);
+    for side in [quote!(self.tip(q).y), quote!(q.y - t)] {
+        refused(args.clone(), bead(side), "`side` acts on `tip` as well; ");
+    }
+    lowered(args, bead(quote!(q.motor - t))).expect("accepted");
+}

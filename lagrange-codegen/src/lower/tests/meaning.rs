@@ -196,6 +196,8 @@ fn constants_and_branches() {
     body(quote!(q.theta[3]), "the index 3 is out of range; valid are 0 to 2");
     body(quote!(self.m[0 - 1] * q.x), "the index -1 is negative; ");
     body(quote!(q.theta[2..5].iter().sum()), "this range does not lie within the array; it has 3 elements");
+    body(quote!((2e38_f64 as u128) as f64 * q.x), "this integer is out of range; ");
+    body(quote!((1e10_f64 as usize) as f64 * q.x), "this integer is out of range; ");
 }
 
 #[test]

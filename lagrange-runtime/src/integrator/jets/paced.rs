@@ -132,6 +132,7 @@ where
     S: Smooth<N, K>,
 {
     type Memory = JetsMemory<S::JetConstants, S::Tables<ORDER>, S::Scalar, N, ORDER>;
+    const IS_PACED: bool = true;
 
     fn begin(system: &S, start: State<S::Scalar, N>) -> Self::Memory
     where

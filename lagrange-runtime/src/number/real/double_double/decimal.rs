@@ -10,6 +10,9 @@ use crate::number::real::Real;
 /// The number of digits that are read and written. Further digits only round them.
 const DIGITS: usize = 38;
 
+/// An exponent that no count of digits makes up for.
+const FARTHEST: i64 = 1 << 62;
+
 /// Digits that tell two numbers apart in nearly all cases.
 const SHOWN: usize = 32;
 
@@ -42,9 +45,9 @@ impl FromStr for DoubleDouble {
             return Ok(Self::from(rough));
         }
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-        // Beyond this every number is infinite or zero, unless its text has as many digits.
-        let clamped = |_| if exponent.starts_with('-') { -100_000 } else { 100_000 };
-        let mut exponent = exponent.parse::<i32>().unwrap_or_else(clamped).clamp(-100_000, 100_000);
+        // Beyond this every number is infinite or zero, since no text has as many digits.
+        let clamped = |_| if exponent.starts_with('-') { -FARTHEST } else { FARTHEST };
+        let mut exponent = exponent.parse::<i64>().unwrap_or_else(clamped).clamp(-FARTHEST, FARTHEST);
         let (mut value, mut count, mut inexact, mut after_point) = (0_u128, 0, false, false);
         for c in mantissa.bytes() {
             match c {
@@ -52,19 +55,20 @@ impl FromStr for DoubleDouble {
                 b'0'..=b'9' if count < DIGITS => {
                     value = 10 * value + u128::from(c - b'0');
                     count += usize::from(value > 0);
-                    exponent -= i32::from(after_point);
+                    exponent -= i64::from(after_point);
                 }
                 b'0'..=b'9' => {
                     inexact |= c != b'0';
-                    exponent += i32::from(!after_point);
+                    exponent += i64::from(!after_point);
                 }
                 _ => {}
             }
         }
         // The largest number has 309 digits before the point, the smallest 323 zeros behind it.
-        if value == 0 || !(-400..=310).contains(&exponent) {
-            return Ok(Self::from(rough));
-        }
+        let exponent = match i32::try_from(exponent) {
+            Ok(exponent @ -400..=310) if value != 0 => exponent,
+            _ => return Ok(Self::from(rough)),
+        };
         let mut integer = Integer::new(value);
         // Room for 126 bits of the quotient.
         let shift = if exponent < 0 { 140 - (exponent * 10) / 3 } else { 0 };

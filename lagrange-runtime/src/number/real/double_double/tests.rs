@@ -124,6 +124,11 @@ fn decimals_are_read_and_written_exactly() {
     assert_eq!(std::format!("{}", DoubleDouble::from_sum(1.0, 1e-300)), "1");
     assert_eq!(number("1e400").high(), f64::INFINITY);
     assert_eq!(number("-0").high().to_bits(), (-0.0_f64).to_bits());
+    let zeros = "0".repeat(100_001);
+    assert_eq!(number(&std::format!("1{zeros}e-100001")), DoubleDouble::ONE);
+    assert_eq!(number(&std::format!("0.{zeros}1e+100002")), DoubleDouble::ONE);
+    assert_eq!(number("1e-99999999999999999999999").high(), 0.0);
+    assert_eq!(number("1e99999999999999999999999").high(), f64::INFINITY);
     for wrong in ["", "1.2.3", "0x10", "1e", "twelve"] {
         assert_eq!(wrong.parse::<DoubleDouble>(), Err(ParseError), "{wrong}");
     }

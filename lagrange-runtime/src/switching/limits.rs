@@ -1,0 +1,65 @@
+//! Frictions at their limits.
+
+use num_traits::Zero;
+
+use super::choice::Choice;
+use super::scene::{Scene, above, entry, put, rounding};
+use super::trials::Part;
+use super::{Along, Coefficients, Regime, Row, Switching};
+use crate::number::elements::array;
+use crate::number::real::Real;
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+{
+    /// The largest force of a friction that sticks, in the direction of its force.
+    pub(super) fn limit(&self, row: usize, normal: Option<usize>, multipliers: &[S::Scalar; C]) -> S::Scalar {
+        let coefficient = entry(&self.against(-entry(multipliers, row)).fixed, row);
+        normal.map_or(coefficient, |normal| coefficient * entry(multipliers, normal).abs())
+    }
+
+    /// Whether a friction has a limit of zero that does not change in the regime. It can hold nothing, so
+    /// that its slip decides about nothing.
+    pub(super) fn is_frictionless(&self, row: usize) -> bool {
+        let Some(Row::Friction { pair, .. }) = S::ROWS.get(row) else { return false };
+        let first = pair.map_or(row, |other| row.min(other));
+        let lasts = |along: &[Along; C]| along.get(first) == Some(&Along::Constant);
+        // A derivative by the limit is that of a friction.
+        let is_zero = |number: S::Scalar| (0..S::Scalar::PARTS).all(|part| number.part(part).is_zero());
+        lasts(&S::ALONG.fixed)
+            && lasts(&S::BACKWARD)
+            && self.coefficients.iter().all(|coefficients| is_zero(entry(&coefficients.fixed, first)))
+    }
+
+    /// The regime in which a friction slips whose force has reached its limit in the present one. Both have
+    /// the same accelerations and reactions here, so that the other rows need not be asked: what tells them
+    /// apart is the rounding error of the time at which the limit is reached. `None` where they differ.
+    pub(super) fn slipping(
+        &self,
+        present: &Regime<S::Scalar, C, W>,
+        row: usize,
+    ) -> Option<Choice<S::Scalar, N, C, W>> {
+        let Some(Row::Friction { normal, pair: None }) = S::ROWS.get(row) else { return None };
+        if present.active.get(row) != Some(&true) {
+            return None;
+        }
+        let stuck = self.trial(*present)?;
+        let parts = array(|row| S::ROWS.get(row).map_or(Part::Off, |&kind| Part::of(row, kind, present)));
+        self.judge(&parts, &stuck, rounding(), None).ok()?;
+        let against = -entry(&stuck.multipliers, row);
+        let limit = self.limit(row, *normal, &stuck.multipliers);
+        if above(limit - against.abs(), S::Scalar::epsilon().sqrt() * limit) {
+            return None;
+        }
+        let Coefficients { kinetic, fixed } = self.against(against);
+        if entry(kinetic, row) != entry(fixed, row) {
+            return None;
+        }
+        let one: S::Scalar = num_traits::One::one();
+        let mut regime = *present;
+        put(&mut regime.active, row, false);
+        put(&mut regime.slip, row, if against.is_positive() { one } else { -one });
+        self.trial(regime)
+    }
+}

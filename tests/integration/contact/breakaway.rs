@@ -1,0 +1,184 @@
+//! Bodies on several feet, rough in two directions, that a load pulls loose.
+
+use lagrangian::prelude::*;
+
+use crate::support::close::close;
+
+/// A mass that sticks until it is pushed by more than a newton.
+struct Pushed;
+
+#[lagrangian(coordinates = [x, y], inputs = [fx, fy])]
+impl Pushed {
+    #[point(mass = 1.0)]
+    fn puck(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[friction(limit = 1.0)]
+    fn slip(&self, v: &Velocities) -> Vector2<f64> {
+        Vector2::new(v.x, v.y)
+    }
+
+    #[force(at = puck)]
+    fn load(&self, u: &Inputs) -> Vector2<f64> {
+        Vector2::new(u.fx, u.fy)
+    }
+}
+
+/// A slip that begins has no speed that friction could turn in a step of any length. Its direction is that of
+/// the load, and so its speed is known.
+#[test]
+fn fixed_steps_begin_to_slip_in_two_directions() {
+    for h in [0.1, 0.01, 1e-3] {
+        for force in [[1.5, 0.0], [1.0, 0.9], [3.0, -4.0]] {
+            let mut stepper = Pushed.stepper::<Jet<6>>(State::at_rest([0.0; 2]));
+            for step in 1..=10 {
+                let state = *stepper.step(h, &force).unwrap();
+                let size = force[0].hypot(force[1]);
+                let speed = (size - 1.0) * h * f64::from(step);
+                close(state.v[0], speed * force[0] / size, 1e-14);
+                close(state.v[1], speed * force[1] / size, 1e-14);
+            }
+        }
+    }
+}
+
+/// A bar on two feet with limits of one newton, pulled at its centre by a load that grows by 1 N/s.
+struct Bar {
+    direction: f64,
+}
+
+#[lagrangian(coordinates = [x, y, angle])]
+impl Bar {
+    #[body(mass = 1.0, inertia = 0.1)]
+    fn bar(&self, q: &Coordinates) -> Isometry2<f64> {
+        Isometry2::new(Vector2::new(q.x, q.y), q.angle)
+    }
+
+    fn slip(&self, q: &Coordinates, v: &Velocities, along: f64) -> Vector2<f64> {
+        self.bar_velocity(q, v).at((self.bar(q) * Point2::new(along, 0.0)).coords)
+    }
+
+    #[friction(limit = 1.0)]
+    fn left(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
+        self.slip(q, v, -0.5)
+    }
+
+    #[friction(limit = 1.0)]
+    fn right(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
+        self.slip(q, v, 0.5)
+    }
+
+    #[force(at = bar)]
+    fn pull(&self, t: f64) -> Vector2<f64> {
+        t * Vector2::new(self.direction.cos(), self.direction.sin())
+    }
+}
+
+/// Both feet let go at 2 s. From then on v = t²/2 − 2 t + 2, along the load.
+#[test]
+fn two_feet_let_go_together() {
+    for number in 0..25 {
+        let bar = Bar { direction: 0.2512 * f64::from(number) };
+        for tolerance in [1e-6, 1e-10, 1e-14] {
+            let mut motion = bar.simulate(State::at_rest([0.0; 3])).with_tolerance(tolerance);
+            let end = *motion.advance_to(4.0).unwrap_or_else(|error| panic!("{number}: {error}"));
+            let error = (end.v[0] - 2.0 * bar.direction.cos()).hypot(end.v[1] - 2.0 * bar.direction.sin());
+            assert!(error < tolerance + 1e-12, "{number}, {tolerance:e}: {error:e}");
+        }
+    }
+}
+
+/// A crate on four feet, in space, pulled at the floor by a load that grows by 20 N/s.
+struct Crate {
+    direction: f64,
+}
+
+#[lagrangian(coordinates = [hull: Pose])]
+impl Crate {
+    #[body(mass = 5.0, inertia = [0.05, 0.08, 0.1])]
+    fn hull(&self, q: &Coordinates) -> Isometry3<f64> {
+        q.hull
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        5.0 * 9.81 * self.hull(q).translation.z
+    }
+
+    fn foot(&self, q: &Coordinates, x: f64, y: f64) -> Vector3<f64> {
+        (self.hull(q) * Point3::new(0.2 * x, 0.15 * y, -0.1)).coords
+    }
+
+    fn rub(&self, q: &Coordinates, v: &Velocities, x: f64, y: f64) -> Vector2<f64> {
+        self.hull_velocity(q, v).at(self.foot(q, x, y)).xy()
+    }
+
+    fn hook(&self, q: &Coordinates) -> Vector3<f64> {
+        self.foot(q, 0.0, 0.0)
+    }
+
+    #[unilateral]
+    fn first(&self, q: &Coordinates) -> f64 {
+        self.foot(q, 1.0, 1.0).z
+    }
+
+    #[unilateral]
+    fn second(&self, q: &Coordinates) -> f64 {
+        self.foot(q, -1.0, 1.0).z
+    }
+
+    #[unilateral]
+    fn third(&self, q: &Coordinates) -> f64 {
+        self.foot(q, -1.0, -1.0).z
+    }
+
+    #[unilateral]
+    fn fourth(&self, q: &Coordinates) -> f64 {
+        self.foot(q, 1.0, -1.0).z
+    }
+
+    #[friction(coefficient = 0.4, normal = first)]
+    fn rub_first(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
+        self.rub(q, v, 1.0, 1.0)
+    }
+
+    #[friction(coefficient = 0.4, normal = second)]
+    fn rub_second(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
+        self.rub(q, v, -1.0, 1.0)
+    }
+
+    #[friction(coefficient = 0.4, normal = third)]
+    fn rub_third(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
+        self.rub(q, v, -1.0, -1.0)
+    }
+
+    #[friction(coefficient = 0.4, normal = fourth)]
+    fn rub_fourth(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
+        self.rub(q, v, 1.0, -1.0)
+    }
+
+    #[force(at = hook)]
+    fn pull(&self, t: f64) -> Vector3<f64> {
+        20.0 * t * Vector3::new(self.direction.cos(), self.direction.sin(), 0.0)
+    }
+}
+
+/// Follows a crate that is pulled in a direction. It lets go at µ m g / 20 N/s, and its speed is known.
+fn pull(direction: f64) {
+    let start = State::at_rest(CrateCoordinates { hull: Isometry3::translation(0.0, 0.0, 0.1) });
+    let held = 0.4 * 5.0 * 9.81;
+    let (freed, end) = (held / 20.0, 3.0_f64);
+    let speed = (10.0 * (end.powi(2) - freed.powi(2)) - held * (end - freed)) / 5.0;
+    let motion = Crate { direction };
+    let state =
+        *motion.simulate(start).advance_to(end).unwrap_or_else(|error| panic!("{direction}: {error}"));
+    close(state.v[0].hypot(state.v[1]), speed, 1e-12);
+    close(state.v[1].atan2(state.v[0]), direction, 1e-12);
+}
+
+#[test]
+#[ignore = "each motion takes a second: scripts/check.sh runs them"]
+fn crates_let_go_in_all_directions() {
+    (-19..20).for_each(|number| pull(0.157 * f64::from(number)));
+}
