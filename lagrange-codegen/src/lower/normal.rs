@@ -3,9 +3,9 @@
 use super::advice::{counted, valid_indices};
 use super::interpreter::Interpreter;
 use crate::diagnostics::catalogue;
-use crate::expr::NodeId;
+use crate::expr::{Node, NodeId, Variable};
 use crate::kinematics::acting::{Acting, acting};
-use crate::model::{Constraint, ConstraintKind, Load, Model, Normal};
+use crate::model::{Constraint, ConstraintKind, Load, Model, Normal, component_of_one};
 use crate::syntax::body::{Expr, Name, Word};
 use crate::syntax::item::{self, Function, RoleKind};
 
@@ -115,7 +115,7 @@ impl<'a> Interpreter<'a> {
             self.report(word.origin, catalogue::friction_count(&function.name, have, want));
             return None;
         }
-        Some(rows.into_iter().map(|row| self.single(row, actions)).collect())
+        rows.into_iter().map(|row| self.single(word, row, actions)).collect()
     }
 
     /// The constraints and gaps with a name.
@@ -210,11 +210,40 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The reaction of a row. Its Cartesian size is that of its force on the first place where that is known:
-    /// a reaction between two places has the same size on both.
-    fn single(&mut self, row: usize, actions: &Actions) -> Limit {
-        let graph = &mut self.model.graph;
-        let known = actions.acting[row].iter().find(|acting| acting.is_whole && acting.is_any(graph));
-        Limit { normal: Normal::Row(row), size: known.map(|acting| acting.size(graph)) }
+    /// a reaction between two places has the same size on both. A row that acts on no place, such as a gap
+    /// between coordinates of a kinetic energy, is documented to be a length, so that its multiplier is the
+    /// force itself. `None` after a report where a row acts on places, and its form does not tell how.
+    fn single(&mut self, word: &Word, row: usize, actions: &Actions) -> Option<Limit> {
+        let own = &actions.acting[row];
+        let normal = Normal::Row(row);
+        let hidden = own.iter().position(|acting| !acting.is_whole);
+        let tells = |&place: &usize| {
+            let acting = &own[place];
+            acting.is_whole
+                && acting.is_any(&self.model.graph)
+                && (hidden.is_none() || self.names_all_of(&actions.rows[row], place))
+        };
+        match ((0..own.len()).find(tells), hidden) {
+            (Some(place), _) => Some(Limit { normal, size: Some(own[place].size(&mut self.model.graph)) }),
+            (None, Some(place)) => {
+                let name = actions.rows[row].written();
+                let place = &self.model.places[place].name;
+                self.report(word.origin, catalogue::friction_by_form(name, place));
+                None
+            }
+            (None, None) => Some(Limit { normal, size: None }),
+        }
+    }
+
+    /// Whether a row names the whole position of a place: by its function, or in coordinates that are all
+    /// components of it. Of a cart on a rail, a coordinate alone gives one component of a force.
+    fn names_all_of(&self, row: &Constraint, place: usize) -> bool {
+        let Model { graph, places, .. } = &self.model;
+        let place = &places[place];
+        let by_function = || graph.cone(row.through).iter().any(|node| place.variables.contains(node));
+        let is_coordinate = |x: NodeId| matches!(graph.node(x), Node::Variable(Variable::Coordinate(_)));
+        let stands = |&x: &NodeId| is_coordinate(x) && component_of_one(places, x).is_some();
+        place.position.iter().all(stands) || by_function()
     }
 }
 

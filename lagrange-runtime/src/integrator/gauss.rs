@@ -2,7 +2,7 @@
 //!
 //! A step finds accelerations at 2, 3 or 4 stages such that the equations of motion hold at the states which
 //! follow from them by quadrature. The methods are A-stable: stable oscillations far faster than 1/h do not
-//! blow up. They are neither damped nor resolved. Without constraints a step back undoes a step exactly. The
+//! blow up. They are neither damped nor resolved. Without constraints a step back undoes a step forward. The
 //! quadrature is of q and v, so a method is symplectic only where momenta are linear in coordinates and
 //! velocities, as with a constant mass matrix and no other terms in v. Under constraints it is neither
 //! reversible nor symplectic, since the end of each step is moved onto the constraints.

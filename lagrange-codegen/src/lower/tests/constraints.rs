@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::{lowered, refused, value};
-use crate::model::{ConstraintKind, Model};
+use crate::model::{ConstraintKind, Law, Model};
 
 /// A system of three coordinates with some more functions.
 fn sphere(functions: TokenStream) -> TokenStream {
@@ -245,4 +245,37 @@ fn friction_by_all_forces_on_a_place_knows_of_eliminated_constraints() {
         refused(args.clone(), bead(side), "`side` acts on `tip` as well; ");
     }
     lowered(args, bead(quote!(q.motor - t))).expect("accepted");
+}
+
+/// A cart with a pole, whose tip touches a wall: the message about friction there, if any.
+fn touching(gap: TokenStream) -> Result<Model, Vec<String>> {
+    lowered(
+        quote!(coordinates = [x, theta]),
+        quote! {
+            impl Cart {
+                #[point(mass = 1.0)] fn cart(&self, q: &Coordinates) -> Vector2<f64> { Vector2::new(q.x, 0.0) }
+                #[point(mass = 1.0)] fn tip(&self, q: &Coordinates) -> Vector2<f64> {
+                    Vector2::new(q.x + q.theta.sin(), -q.theta.cos()) }
+                #[unilateral] fn wall(&self, q: &Coordinates) -> f64 { #gap }
+                #[friction(coefficient = 0.5, normal = wall)] fn slip(&self, v: &Velocities) -> f64 { v.x }
+            }
+        },
+    )
+}
+
+#[test]
+fn friction_by_a_named_gap_needs_a_form_that_tells_its_force() {
+    // λ is half of the force in the first, and the second shows a component of the force alone.
+    for gap in
+        [quote!(2.0 * (2.0 - q.theta.cos())), quote!(2.0 - 0.6 * (q.x + q.theta.sin()) + 0.8 * q.theta.cos())]
+    {
+        let messages = touching(gap).expect_err("refused");
+        assert!(messages[0].starts_with("`wall` names coordinates that move `tip`, so that"), "{messages:?}");
+    }
+    let model = touching(quote!(2.0 * (2.0 + self.tip(q).y))).expect("accepted");
+    let law = model.contacts.iter().find_map(|contact| match contact.law {
+        Law::Friction { kinetic, .. } => Some(kinetic),
+        Law::Unilateral { .. } => None,
+    });
+    assert_eq!(law.map(|kinetic| value(&model, kinetic, |_| f64::NAN)), Some(1.0));
 }
