@@ -31,8 +31,6 @@ pub enum Part {
     Quantities,
     /// The derivatives of its equations.
     Derivatives,
-    /// The orders of its Taylor series.
-    Series,
 }
 
 /// The expansion with a fault planted at its `site`-th place for one; `None` beyond the last place.
@@ -64,11 +62,10 @@ struct Planter {
 
 impl Planter {
     fn visit(&mut self, expansion: &mut Expansion, part: Part) {
-        let Expansion { methods, system, surface, derivatives, smooth, .. } = expansion;
+        let Expansion { methods, system, surface, derivatives, .. } = expansion;
         let functions: Vec<_> = match part {
             Part::Quantities => methods.iter_mut().chain(system).chain(surface).collect(),
             Part::Derivatives => derivatives.iter_mut().collect(),
-            Part::Series => smooth.iter_mut().filter(|(name, _)| name.starts_with("jet_")).collect(),
         };
         for (name, function) in functions {
             if is_compared(name) {

@@ -270,25 +270,6 @@ fn planted_faults_in_derivatives_are_caught() {
     caught.assert_most();
 }
 
-#[test]
-fn planted_faults_in_series_are_caught() {
-    let caught = Caught::default();
-    runner::run(runner::cases(QUICK) / 8, cases, |(system, samples)| {
-        let expansion = Expansion::of(&Source::of(system))?;
-        let compared = |sample: &&Sample| {
-            matches!(series::check(system, &expansion, sample), Ok(series::Outcome::Compared(_)))
-        };
-        let samples: Vec<&Sample> = samples.iter().filter(compared).collect();
-        if samples.is_empty() {
-            return Ok(());
-        }
-        caught.plant(&expansion, Part::Series, |faulty| {
-            samples.iter().any(|sample| series::check(system, faulty, sample).is_err())
-        })
-    });
-    caught.assert_most();
-}
-
 /// The numbers of planted faults that were noticed, and of all.
 #[derive(Default)]
 struct Caught(Mutex<BTreeMap<Fault, (usize, usize)>>);

@@ -49,11 +49,6 @@ pub fn check(system: &System, expansion: &Expansion, sample: &Sample) -> Result<
         None => Err(Stop::Failure("no solution".to_owned())),
     });
     let (q, v) = rows.map_err(|stop| format!("jet_at: {stop:?}"))?;
-    let is_whole =
-        |rows: &[Vec<f64>]| rows.len() == TERMS - 1 && rows.iter().all(|row| row.len() == system.count());
-    if !is_whole(&q) || !is_whole(&v) {
-        return Err("jet_at: orders or coordinates are missing".to_owned());
-    }
     let Some(rates) = rates(system, &point, &q, &v) else { return Ok(Outcome::LeftOut) };
     if rates.iter().flat_map(|rate| rate.coefficients).any(|x| !is_measurable(&x)) {
         return Ok(Outcome::LeftOut);
@@ -126,61 +121,9 @@ fn rates(system: &System, point: &Point, q: &[Vec<f64>], v: &[Vec<f64>]) -> Opti
     matrix.extend(jacobian.iter().map(|row| [&row[..], &vec![zero; jacobian.len()]].concat()));
     let force = balance.applied.iter().zip(&balance.bias).map(|(&applied, &bias)| applied - bias);
     let mut right: Vec<Taylor<Tracked>> = force.chain(gamma).collect();
-    let equations = (matrix.clone(), right.clone());
     eliminate(&mut matrix, &mut right)?;
-    add_errors_of_multipliers(&equations, count, &mut right);
     right.truncate(count);
     Some(right)
-}
-
-/// Adds the rounding errors of the way that the engine goes where M is diagonal: w = M⁻¹ f,
-/// (A M⁻¹ Aᵀ) λ = γ − A w and a = w + M⁻¹ Aᵀ λ. Forces are rounded there before the multipliers cancel them,
-/// even in a coordinate that its constraints determine. The elimination below may find such a coordinate
-/// without these forces.
-fn add_errors_of_multipliers(
-    (matrix, right): &(Vec<Vec<Taylor<Tracked>>>, Vec<Taylor<Tracked>>),
-    count: usize,
-    solution: &mut [Taylor<Tracked>],
-) {
-    let start = |i: usize, j: usize| matrix[i][j].coefficients[0];
-    let vanishes = |x: Tracked| x.value.abs() <= 64.0 * f64::EPSILON * x.roundings;
-    let is_diagonal = (0..count).all(|i| (0..count).all(|j| vanishes(start(i, j)) != (i == j)));
-    let (all, held) = (right.len(), right.len() - count);
-    let mass: Vec<f64> = (0..count).map(|i| start(i, i).value).collect();
-    let gradient: Vec<Vec<f64>> =
-        (count..all).map(|c| (0..count).map(|i| start(c, i).value).collect()).collect();
-    let schur = |a: &[f64], b: &[f64]| (0..count).map(|i| a[i] * b[i] / mass[i]).sum::<f64>();
-    let square: Vec<Vec<f64>> =
-        gradient.iter().map(|a| gradient.iter().map(|b| schur(a, b)).collect()).collect();
-    let unit = |c: usize| (0..held).map(|d| f64::from(u8::from(c == d))).collect::<Vec<f64>>();
-    let units: Vec<Vec<f64>> = (0..held).map(unit).collect();
-    let Some(inverse) = gauss(&square, &units).filter(|_| is_diagonal && held > 0) else { return };
-    // The solution with errors of that way alone: an order is solved for with the errors of those before.
-    let mut known: Vec<Taylor<Tracked>> = vec![Taylor::constant(0.0); all];
-    for k in 0..TERMS {
-        for (known, exact) in known.iter_mut().zip(&*solution) {
-            known.coefficients[k] = Tracked::constant(exact.coefficients[k].value);
-        }
-        // The sizes of the terms of an equation.
-        let size = |i: usize| {
-            let rest = matrix[i].iter().zip(&known).fold(right[i], |rest, (&a, &x)| rest - a * x);
-            rest.coefficients[k].roundings
-        };
-        let free: Vec<f64> = (0..count).map(|i| size(i) / mass[i].abs()).collect();
-        let carried = |c: usize| gradient[c].iter().zip(&free).map(|(a, w)| a.abs() * w).sum::<f64>();
-        let wrong: Vec<f64> = (0..held).map(|c| size(count + c) + carried(c)).collect();
-        let multiplier = |c: usize| (0..held).map(|d| inverse[d][c].abs() * wrong[d]).sum::<f64>();
-        let multipliers: Vec<f64> = (0..held).map(multiplier).collect();
-        let acceleration = |i: usize| {
-            let forces = gradient.iter().zip(&multipliers).map(|(row, error)| row[i].abs() * error);
-            free[i] + forces.sum::<f64>() / mass[i].abs()
-        };
-        let errors = (0..count).map(acceleration).chain(multipliers.iter().copied());
-        for (j, error) in errors.collect::<Vec<f64>>().into_iter().enumerate() {
-            known[j].coefficients[k].roundings += error;
-            solution[j].coefficients[k].roundings += error;
-        }
-    }
 }
 
 /// Gaussian elimination with partial pivoting by the values at the start.
