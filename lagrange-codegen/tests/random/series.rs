@@ -121,9 +121,61 @@ fn rates(system: &System, point: &Point, q: &[Vec<f64>], v: &[Vec<f64>]) -> Opti
     matrix.extend(jacobian.iter().map(|row| [&row[..], &vec![zero; jacobian.len()]].concat()));
     let force = balance.applied.iter().zip(&balance.bias).map(|(&applied, &bias)| applied - bias);
     let mut right: Vec<Taylor<Tracked>> = force.chain(gamma).collect();
+    let equations = (matrix.clone(), right.clone());
     eliminate(&mut matrix, &mut right)?;
+    add_errors_of_multipliers(&equations, count, &mut right);
     right.truncate(count);
     Some(right)
+}
+
+/// Adds the rounding errors of the way that the engine goes where M is diagonal: w = M⁻¹ f,
+/// (A M⁻¹ Aᵀ) λ = γ − A w and a = w + M⁻¹ Aᵀ λ. Forces are rounded there before the multipliers cancel them,
+/// even in a coordinate that its constraints determine. The elimination below may find such a coordinate
+/// without these forces.
+fn add_errors_of_multipliers(
+    (matrix, right): &(Vec<Vec<Taylor<Tracked>>>, Vec<Taylor<Tracked>>),
+    count: usize,
+    solution: &mut [Taylor<Tracked>],
+) {
+    let start = |i: usize, j: usize| matrix[i][j].coefficients[0];
+    let vanishes = |x: Tracked| x.value.abs() <= 64.0 * f64::EPSILON * x.roundings;
+    let is_diagonal = (0..count).all(|i| (0..count).all(|j| vanishes(start(i, j)) != (i == j)));
+    let (all, held) = (right.len(), right.len() - count);
+    let mass: Vec<f64> = (0..count).map(|i| start(i, i).value).collect();
+    let gradient: Vec<Vec<f64>> =
+        (count..all).map(|c| (0..count).map(|i| start(c, i).value).collect()).collect();
+    let schur = |a: &[f64], b: &[f64]| (0..count).map(|i| a[i] * b[i] / mass[i]).sum::<f64>();
+    let square: Vec<Vec<f64>> =
+        gradient.iter().map(|a| gradient.iter().map(|b| schur(a, b)).collect()).collect();
+    let unit = |c: usize| (0..held).map(|d| f64::from(u8::from(c == d))).collect::<Vec<f64>>();
+    let units: Vec<Vec<f64>> = (0..held).map(unit).collect();
+    let Some(inverse) = gauss(&square, &units).filter(|_| is_diagonal && held > 0) else { return };
+    // The solution with errors of that way alone: an order is solved for with the errors of those before.
+    let mut known: Vec<Taylor<Tracked>> = vec![Taylor::constant(0.0); all];
+    for k in 0..TERMS {
+        for (known, exact) in known.iter_mut().zip(&*solution) {
+            known.coefficients[k] = Tracked::constant(exact.coefficients[k].value);
+        }
+        // The sizes of the terms of an equation.
+        let size = |i: usize| {
+            let rest = matrix[i].iter().zip(&known).fold(right[i], |rest, (&a, &x)| rest - a * x);
+            rest.coefficients[k].roundings
+        };
+        let free: Vec<f64> = (0..count).map(|i| size(i) / mass[i].abs()).collect();
+        let carried = |c: usize| gradient[c].iter().zip(&free).map(|(a, w)| a.abs() * w).sum::<f64>();
+        let wrong: Vec<f64> = (0..held).map(|c| size(count + c) + carried(c)).collect();
+        let multiplier = |c: usize| (0..held).map(|d| inverse[d][c].abs() * wrong[d]).sum::<f64>();
+        let multipliers: Vec<f64> = (0..held).map(multiplier).collect();
+        let acceleration = |i: usize| {
+            let forces = gradient.iter().zip(&multipliers).map(|(row, error)| row[i].abs() * error);
+            free[i] + forces.sum::<f64>() / mass[i].abs()
+        };
+        let errors = (0..count).map(acceleration).chain(multipliers.iter().copied());
+        for (j, error) in errors.collect::<Vec<f64>>().into_iter().enumerate() {
+            known[j].coefficients[k].roundings += error;
+            solution[j].coefficients[k].roundings += error;
+        }
+    }
 }
 
 /// Gaussian elimination with partial pivoting by the values at the start.
@@ -151,4 +203,28 @@ fn eliminate(matrix: &mut [Vec<Taylor<Tracked>>], right: &mut [Taylor<Tracked>])
         right[k] = right[k] / row[k];
     }
     Some(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of two coordinates the first is held by 3 x = const; no force acts on the second.
+    #[test]
+    fn forces_that_a_multiplier_cancels_are_rounded() {
+        let (mass, force) = (1.7, -4.7);
+        let series = |row: [f64; 3]| row.map(Taylor::constant).to_vec();
+        let matrix = vec![series([mass, 0.0, -3.0]), series([0.0, 2.5, 0.0]), series([3.0, 0.0, 0.0])];
+        let right = series([force, 0.0, 0.0]);
+        let mut solution = right.clone();
+        assert!(eliminate(&mut matrix.clone(), &mut solution).is_some());
+        let first = |solution: &[Taylor<Tracked>], i: usize| solution[i].coefficients[0];
+        assert_eq!((first(&solution, 0).value, first(&solution, 0).roundings), (0.0, 0.0));
+        add_errors_of_multipliers(&(matrix, right), 2, &mut solution);
+        let free = (force / mass).abs();
+        let roundings = first(&solution, 0).roundings;
+        assert!((free..8.0 * free).contains(&roundings), "{roundings}");
+        assert_eq!(first(&solution, 1).roundings, 0.0);
+        assert!(solution[0].coefficients[1..].iter().all(|x| x.roundings == 0.0));
+    }
 }
