@@ -58,7 +58,7 @@ where
     /// # Errors
     /// [`Error::Io`] for a full disk or missing permission, [`Error::Panicked`] with the index: finished
     /// parts stay. [`Error::AnotherStudy`], [`Error::AnotherVersion`], [`Error::NotTheSame`] if the folder
-    /// holds something else; [`Error::Damaged`] if its manifest is none. [`Error::InvalidName`],
+    /// holds something else; [`Error::Damaged`] if its manifest cannot be read. [`Error::InvalidName`],
     /// [`Error::InvalidColumns`], [`Error::NotInLanes`], [`Error::Threads`].
     pub fn run(&self) -> Result<Option<Table<T>>, Error> {
         let open = self.open()?;

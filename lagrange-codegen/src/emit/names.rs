@@ -192,7 +192,7 @@ pub(super) fn variable_label(model: &Model, variable: Variable) -> String {
     }
 }
 
-/// A name that tells what an instruction computes; `None` if there is none or it would be too long.
+/// The name of what an instruction computes. `None` where nothing names it, or the name would be too long.
 pub(super) fn describe(model: &Model, program: &Program, slot: Slot, depth: u32) -> Option<String> {
     // A sine or cosine is named by its angle.
     let is_trigonometric = matches!(program.instruction(slot), Instruction::Unary(Unary::Sin | Unary::Cos, a) if program.instruction(a).is_leaf());

@@ -42,7 +42,8 @@ pub fn unnamed(index: usize, span: Span) -> Ident {
     format_ident!("__unnamed{index}", span = span)
 }
 
-/// The longest run of tokens that can be read. If there is none, that of the first group that has one.
+/// The longest run of tokens that can be read. Where no run can be, groups are searched one after the other
+/// for their longest run.
 pub fn readable<T: Parse>(trees: &[TokenTree]) -> Option<T> {
     let run = |start: usize| {
         let rest = || trees[start..].iter().cloned().collect::<TokenStream>();

@@ -300,11 +300,7 @@ where
                         _ if slip == zero || self.status[row] != Status::Rests => true,
                         None => !above(-play, slip * rate),
                         Some(other) => {
-                            let along = |row| {
-                                let rates = &self.laws.rows.rates;
-                                entry(rates, row) + self.change(row, &trial.velocities)
-                            };
-                            let (x, y) = (along(row), along(*other));
+                            let [x, y] = [row, *other].each(|row| self.rate_at(row, &trial.velocities));
                             let turn = self.rate(*other, &trial.accelerations);
                             let speed = x.hypot(y);
                             // A slip that begins goes on in the direction that its friction resists.

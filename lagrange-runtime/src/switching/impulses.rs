@@ -156,10 +156,6 @@ where
         after: &[S::Scalar; N],
     ) -> [S::Scalar; C] {
         let zero: S::Scalar = num_traits::Zero::zero();
-        let rate = |row: usize| {
-            let change = array(|i| after[i] - self.state.v[i]);
-            entry(&self.laws.rows.rates, row) + self.along(row, &change)
-        };
         for (row, kind) in S::ROWS.iter().enumerate() {
             let Row::Friction { normal: Some(normal), pair } = kind else { continue };
             let slip = entry(&regime.slip, row);
@@ -171,7 +167,7 @@ where
             match pair {
                 None => put(&mut impulses, row, -slip * size),
                 Some(other) => {
-                    let (x, y) = (rate(row), rate(*other));
+                    let (x, y) = (self.rate_at(row, after), self.rate_at(*other, after));
                     let length = x.hypot(y);
                     if length.is_positive() {
                         put(&mut impulses, row, -size * x / length);

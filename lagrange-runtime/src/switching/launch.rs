@@ -60,9 +60,9 @@ where
         Begins(begins)
     }
 
-    /// The same scene, in which slips in two directions that are slower than those that begin are at rest;
-    /// `None` where there are none. Their directions are errors of velocities, and friction in a wrong
-    /// direction may leave no motion.
+    /// The same scene, in which slips in two directions that are slower than those that begin are at rest. The
+    /// direction of such a slip is an error of velocities, and friction in a wrong direction may leave no
+    /// motion. `None` where no slip is that slow.
     #[cold]
     pub(super) fn resting(&self) -> Option<Self> {
         let mut status = self.status;
@@ -168,7 +168,7 @@ where
     ) -> Option<S::Scalar> {
         let mut later = num_traits::Zero::zero();
         for rows in begins.slips(&S::ROWS) {
-            let [x, y] = rows.each(|row| entry(&self.laws.rows.rates, row) + self.change(row, velocities));
+            let [x, y] = rows.each(|row| self.rate_at(row, velocities));
             let [turn_x, turn_y] = rows.each(|row| self.rate(row, &balance.accelerations));
             let [a, b] = rows.each(|row| self.extent_of(row, &sizes.accelerations));
             let (speed, strength) = (turn_x.hypot(turn_y), most(a, b));
@@ -207,6 +207,11 @@ where
     /// The change of the rate of a row by velocities.
     pub(super) fn change(&self, row: usize, velocities: &[S::Scalar; N]) -> S::Scalar {
         self.along(row, &array(|i| velocities[i] - self.state.v[i]))
+    }
+
+    /// The rate of a row, or a slip, at these velocities.
+    pub(super) fn rate_at(&self, row: usize, velocities: &[S::Scalar; N]) -> S::Scalar {
+        entry(&self.laws.rows.rates, row) + self.change(row, velocities)
     }
 
     /// Σ aᵢ xᵢ of the gradient of a row: what a change of velocities does to its rate.

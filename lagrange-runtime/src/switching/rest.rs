@@ -5,6 +5,7 @@
 //! open so slowly that the tolerance cannot tell, while forces close it again. Then all impacts that would
 //! follow are taken together with this one, and the contact stays closed and at rest.
 
+use super::choice::Sizes;
 use super::impact::Struck;
 use super::scene::{Known, Scales, Scene, Status, above, entry, extent, most, rounding};
 use super::{Regime, Row, Switching};
@@ -41,7 +42,11 @@ where
         let rates = self.system.laws_at(*t, q, v, self.inputs).rows.rates;
         let (mut closed, mut wanted) = (*regime, [zero; C]);
         let is_against = |row: &usize| (against(*row) * rates[*row]).is_positive();
-        for row in (0..C).filter(is_against).filter(|&row| self.is_noise(row, rates[row], regime, v)) {
+        if !(0..C).any(|row| is_against(&row)) {
+            return;
+        }
+        let Some((_, sizes)) = self.balance(regime, v) else { return };
+        for row in (0..C).filter(is_against).filter(|&row| self.is_noise(row, rates[row], &sizes, v)) {
             (closed.active[row], closed.slip[row]) = (true, zero);
             wanted[row] = -rates[row].part(0);
         }
@@ -60,16 +65,9 @@ where
     /// Whether the motion does not notice that velocities lose what they contribute to the rate of a row.
     /// Where its gradient nearly vanishes, as that of the place of a slider in a dead centre, all of the
     /// velocity contributes nearly nothing, while it accelerates the row by γ.
-    fn is_noise(
-        &self,
-        row: usize,
-        rate: S::Scalar,
-        regime: &Regime<S::Scalar, C, W>,
-        v: &[S::Scalar; N],
-    ) -> bool {
+    fn is_noise(&self, row: usize, rate: S::Scalar, sizes: &Sizes<S::Scalar, N>, v: &[S::Scalar; N]) -> bool {
         let zero: S::Scalar = num_traits::Zero::zero();
         let Some(gradient) = self.gradients.get(row) else { return false };
-        let Some((_, sizes)) = self.balance(regime, v) else { return false };
         let (mut square, mut fastest) = (zero, zero);
         for ((&entry, &v), &unit) in gradient.iter().zip(v).zip(&self.units) {
             if unit.is_positive() {
@@ -112,7 +110,7 @@ where
         self.load(impulses, &mut sizes);
         array(|row| {
             let Some(Row::Friction { pair, .. }) = S::ROWS.get(row) else { return false };
-            let of = |row: usize| entry(&self.laws.rows.rates, row) + self.change(row, v);
+            let of = |row: usize| self.rate_at(row, v);
             let other = pair.map_or(num_traits::Zero::zero(), of);
             let effect = self.effect(row, &sizes);
             let effect = pair.map_or(effect, |other| most(effect, self.effect(other, &sizes)));

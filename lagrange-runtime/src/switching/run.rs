@@ -203,17 +203,20 @@ where
             if C > 0 {
                 limits.step = Some(limits.clip(S::Scalar::from_f64(AHEAD) * (t - here.t).abs()));
             }
-            let mut stepped =
-                M::step(&mut memory.inner, in_regime, constants, self.control, &limits, t_end, attempts);
-            // The end of such a series may lie where no configuration is known well enough.
-            for _ in 0..NEARER {
-                let Err(MotionError { cause: Cause::Undetermined { .. }, .. }) = stepped else { break };
-                let Some(longest) = limits.step.as_mut() else { break };
-                *longest /= S::Scalar::from_f64(AHEAD);
+            // The end of such a series may also lie where no configuration is known well enough.
+            let mut tries = if M::IS_PACED { 0 } else { NEARER };
+            let stepped = loop {
+                let (inner, control) = (&mut memory.inner, self.control);
+                let stepped = M::step(inner, in_regime, constants, control, &limits, t_end, attempts);
+                let is_undetermined =
+                    matches!(stepped, Err(MotionError { cause: Cause::Undetermined { .. }, .. }));
+                match limits.step.as_mut() {
+                    Some(longest) if is_undetermined && tries > 0 => *longest /= S::Scalar::from_f64(AHEAD),
+                    _ => break stepped,
+                }
+                tries -= 1;
                 M::restart(&mut memory.inner, here);
-                stepped =
-                    M::step(&mut memory.inner, in_regime, constants, self.control, &limits, t_end, attempts);
-            }
+            };
             if let Err(error) = stepped {
                 if self.lets_go(&error.cause).map_err(|cause| at(&here, cause))? {
                     continue;

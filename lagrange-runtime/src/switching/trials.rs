@@ -95,13 +95,13 @@ pub(super) fn combinations<const C: usize>(options: &[Options; C]) -> usize {
 /// The changes that a change of each row is: a contact that opens or closes takes its frictions along.
 pub(super) fn changes<const C: usize>(rows: &[Row; C]) -> [usize; C] {
     array(|row| {
-        let is_along =
-            |other: &Row| matches!(other, Row::Friction { normal: Some(normal), .. } if *normal == row);
-        1 + if rows.get(row) == Some(&Row::Unilateral) {
-            rows.iter().filter(|other| is_along(other)).count()
-        } else {
-            0
-        }
+        // A friction in two directions is one, which its first row stands for.
+        let is_along = |(own, kind): &(usize, &Row)| {
+            matches!(kind, Row::Friction { normal: Some(normal), pair }
+                if *normal == row && pair.is_none_or(|other| *own < other))
+        };
+        let is_contact = rows.get(row) == Some(&Row::Unilateral);
+        1 + if is_contact { rows.iter().enumerate().filter(is_along).count() } else { 0 }
     })
 }
 

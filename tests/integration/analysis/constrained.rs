@@ -264,43 +264,6 @@ fn where_a_constraint_moves_nothing_rests() {
     assert_eq!(found, Err(EquilibriumError::MovingConstraint { constraint: 0, name }));
 }
 
-/// A skate on a plane, tied to a place by a spring.
-struct Skate;
-
-#[lagrangian(coordinates = [x, y, theta], jacobians)]
-impl Skate {
-    #[body(mass = 2.0, inertia = 0.3)]
-    fn blade(&self, q: &Coordinates) -> (Vector2<f64>, f64) {
-        (Vector2::new(q.x, q.y), q.theta)
-    }
-
-    #[potential]
-    fn spring(&self, q: &Coordinates) -> f64 {
-        4.0 * (q.x.powi(2) + q.y.powi(2))
-    }
-
-    #[nonholonomic]
-    fn blade_holds(&self, q: &Coordinates, v: &Velocities) -> f64 {
-        v.y * q.theta.cos() - v.x * q.theta.sin()
-    }
-}
-
-#[test]
-fn nonholonomic_constraints_bear_forces_but_restrict_no_place() {
-    let rest = Skate.equilibrium([0.7, -0.3, 0.2], &[]).unwrap();
-    let [x, y, theta] = rest.state.q;
-    // The spring is across the blade, and the blade bears it; nearby rests a whole family.
-    close(x * theta.cos() + y * theta.sin(), 0.0, 1e-14);
-    close(rest.multipliers[0], 8.0 * (y * theta.cos() - x * theta.sin()), 1e-13);
-    assert!(x.hypot(y) > 0.1 && !rest.is_isolated);
-    let model = Skate.linearize(&rest.state, &[]).unwrap();
-    assert_eq!((model.order(), model.displacements.len(), model.velocities.len()), (5, 3, 2));
-    close(model.drift::<5>().unwrap().norm(), 0.0, 1e-13);
-    // Along the blade it oscillates; a turn needs no force, but turns the spring along the blade.
-    let modes = Skate.modes(&rest.state, &[]).unwrap();
-    close(modes.last().unwrap().frequency(), 2.0, 1e-12);
-}
-
 /// A pendulum in Cartesian coordinates (S01).
 struct Pendulum;
 

@@ -5,7 +5,9 @@ use lagrangian::prelude::*;
 use crate::support::close::{close, close_on};
 
 /// A skate on a plane, tied to a place by a spring, with friction of air.
-struct Skate;
+struct Skate {
+    air: [f64; 2],
+}
 
 #[lagrangian(coordinates = [x, y, theta], jacobians)]
 impl Skate {
@@ -21,7 +23,7 @@ impl Skate {
 
     #[dissipation]
     fn air(&self, v: &Velocities) -> f64 {
-        0.5 * (1.5 * (v.x.powi(2) + v.y.powi(2)) + 0.7 * v.theta.powi(2))
+        0.5 * (self.air[0] * (v.x.powi(2) + v.y.powi(2)) + self.air[1] * v.theta.powi(2))
     }
 
     #[nonholonomic]
@@ -30,13 +32,30 @@ impl Skate {
     }
 }
 
+#[test]
+fn nonholonomic_constraints_bear_forces_but_restrict_no_place() {
+    let skate = Skate { air: [0.0; 2] };
+    let rest = skate.equilibrium([0.7, -0.3, 0.2], &[]).unwrap();
+    let [x, y, theta] = rest.state.q;
+    // The spring is across the blade, and the blade bears it; nearby rests a whole family.
+    close(x * theta.cos() + y * theta.sin(), 0.0, 1e-14);
+    close(rest.multipliers[0], 8.0 * (y * theta.cos() - x * theta.sin()), 1e-13);
+    assert!(x.hypot(y) > 0.1 && !rest.is_isolated);
+    let model = skate.linearize(&rest.state, &[]).unwrap();
+    assert_eq!((model.order(), model.displacements.len(), model.velocities.len()), (5, 3, 2));
+    close(model.drift::<5>().unwrap().norm(), 0.0, 1e-13);
+    // Along the blade it oscillates; a turn needs no force, but turns the spring along the blade.
+    let modes = skate.modes(&rest.state, &[]).unwrap();
+    close(modes.last().unwrap().frequency(), 2.0, 1e-12);
+}
+
 /// With the spring across the blade, at a distance of 0.4 m. Along the blade m s″ + c s′ + k s + λ δθ = 0,
 /// because a turn by δθ turns the force λ = k 0.4 m along the blade, and J θ″ + d θ′ = 0.
 #[test]
 fn matrices_act_on_the_velocities_and_displacements_that_constraints_allow() {
     let (sin, cos) = 0.6_f64.sin_cos();
     let state = State::at_rest([-0.4 * sin, 0.4 * cos, 0.6]);
-    let model = Skate.linearize(&state, &[]).unwrap();
+    let model = Skate { air: [1.5, 0.7] }.linearize(&state, &[]).unwrap();
     let (along, across, turn) = (Vector3::new(cos, sin, 0.0), Vector3::new(-sin, cos, 0.0), Vector3::z());
     let velocity = |x: &Vector3<f64>| model.velocities.components(x);
     let displacement = |x: &Vector3<f64>| model.displacements.components(x);

@@ -2,7 +2,7 @@
 
 use lagrangian::prelude::*;
 
-use crate::support::close::close;
+use crate::support::close::{close, close_on};
 
 /// A mass that sticks until it is pushed by more than a newton.
 struct Pushed;
@@ -173,8 +173,8 @@ fn pull(direction: f64) {
     let motion = Crate { direction };
     let state =
         *motion.simulate(start).advance_to(end).unwrap_or_else(|error| panic!("{direction}: {error}"));
-    close(state.v[0].hypot(state.v[1]), speed, 1e-12);
-    close(state.v[1].atan2(state.v[0]), direction, 1e-12);
+    close_on(speed, state.v[0], speed * direction.cos(), 1e-12);
+    close_on(speed, state.v[1], speed * direction.sin(), 1e-12);
 }
 
 #[test]

@@ -45,10 +45,6 @@ pub(crate) struct Fall<R> {
 pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<Fall<R>> {
     let zero = R::zero();
     let first = guard.start();
-    // What the other terms take away at most leaves it above zero.
-    if first + guard.down() > guard.error {
-        return None;
-    }
     let noise = self::noise(guard);
     let mut powers = guard.coefficients;
     let starts_at_zero = match before {
@@ -60,6 +56,11 @@ pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<Fal
     let start = polynomial[0];
     if starts_at_zero {
         polynomial[0] = zero;
+    }
+    // What the other terms take away at most does not bring it below its roundings, of which a guard that is
+    // zero all the time may have none.
+    if polynomial[0] + guard.down() >= -noise {
+        return None;
     }
     let [low, high] = isolated(polynomial, noise)?;
     let place = if starts_at_zero && low == zero {

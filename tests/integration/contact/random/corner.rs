@@ -89,13 +89,14 @@ fn ten_thousand_balls_in_a_corner_have_one_motion() {
 
 /// Balls whose reactions at a wall are nothing but rounding errors, with the friction that these drive; balls
 /// that touch a wall at a velocity that is a rounding error; balls whose slips at two walls depend on each
-/// other; and balls that stick at both, where the equations do not tell the reactions.
+/// other; balls that stick at both, where the equations do not tell the reactions; and a smooth one that a
+/// wall presses with nothing at all.
 #[test]
 fn random_balls_in_a_corner_obey_their_laws() {
     let mut tally = Tally::default();
     let corners = (0..40)
         .chain([41, 80, 83, 84, 103, 110, 142, 218, 248, 364, 383, 406, 475, 493, 546, 688, 710, 957])
-        .chain([1009, 1195, 1198, 1453, 1521, 1622, 1845]);
+        .chain([1009, 1195, 1198, 1453, 1521, 1622, 1845, 6771]);
     corners.for_each(|number| follow_in_corner(number, &mut tally));
     assert!(tally.switches > 5 * tally.motions && tally.paradoxes == 0, "{tally:?}");
 }

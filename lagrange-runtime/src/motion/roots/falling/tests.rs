@@ -171,3 +171,14 @@ fn what_rises_from_zero_is_told_from_what_comes_back() {
     }
     assert!(!rises(&Taylor::<f64>::constant(0.0), Before::Zero));
 }
+
+#[test]
+fn what_is_zero_all_the_time_never_falls() {
+    for noise in [0.0, 1e-16] {
+        let mut guard = Taylor::of([0.0; 4].into_iter());
+        guard.error = noise;
+        for before in [Before::Unknown, Before::Zero] {
+            assert!(falls(&guard, before).is_none(), "{noise:e}");
+        }
+    }
+}
