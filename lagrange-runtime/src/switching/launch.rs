@@ -60,8 +60,8 @@ where
         Begins(begins)
     }
 
-    /// The same scene, in which slips in two directions that are slower than those that begin are at rest. The
-    /// direction of such a slip is an error of velocities, and friction in a wrong direction may leave no
+    /// The same scene, in which slips in two directions that are slower than those that begin are at rest.
+    /// The direction of such a slip is an error of velocities, and friction in a wrong direction may leave no
     /// motion. `None` where no slip is that slow.
     #[cold]
     pub(super) fn resting(&self) -> Option<Self> {
