@@ -150,6 +150,9 @@ controllers="computed_torque,f32 regulator,f32"
 larger="double_pendulum,simulate,f32 rod,simulate,f32 rod,jet6,f32,consistent rod,jet6,f32,reactions \
     double_pendulum,jet6,f32,energy"
 
+# A program with contacts and dry friction.
+contacts="puck,jet6,f32 puck,jet6,f64"
+
 panics() {
     local target system method scalar features program count=0
     while read -r target system method scalar; do
@@ -157,7 +160,7 @@ panics() {
         no_allocator "$program"
         count=$((count + 1))
     done < <(table)
-    for features in $larger $controllers double_pendulum,dop853,f32; do
+    for features in $larger $controllers $contacts double_pendulum,dop853,f32; do
         program=$(footprint $m4f "$features")
         no_allocator "$program"
         count=$((count + 1))

@@ -7,8 +7,8 @@ use gallery::models::double_pendulum::DoublePendulum;
 use lagrangian::prelude::*;
 
 const PENDULUM: DoublePendulum = DoublePendulum { m: [1.0, 1.0], l: [1.0, 1.0], g: 9.81 };
-/// Steps of a frame.
-const STEPS: u32 = 4;
+/// The longest step \[s].
+const LONGEST: f64 = 1.0 / 240.0;
 
 thread_local! {
     static STATES: RefCell<Vec<State<f64, 2>>> = const { RefCell::new(Vec::new()) };
@@ -30,7 +30,8 @@ extern "C" fn advance(by: f64) -> u32 {
 
 fn moved(state: &mut State<f64, 2>, by: f64) -> bool {
     let mut motion = PENDULUM.stepper::<Jet<8>>(*state);
-    let moved = (0..STEPS).all(|_| motion.step(by / f64::from(STEPS), &[]).is_ok());
+    let steps = (by / LONGEST).ceil();
+    let moved = (0..steps as u32).all(|_| motion.step(by / steps, &[]).is_ok());
     *state = *motion.state();
     moved
 }

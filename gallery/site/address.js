@@ -1,4 +1,5 @@
-// A system as the end of an address: #p=parameters&t=time&x=coordinates and velocities. Numbers keep all digits.
+// Parameters and state of a system as the end of an address: #p=parameters&x=coordinates and velocities.
+// Numbers keep all digits. What is missing, or has the wrong number of numbers, is null.
 const numbers = (text) => (text ? text.split(",").map(Number) : []);
 
 export function read(page) {

@@ -1,6 +1,7 @@
 // Draws what a module has drawn as numbers, and tells where in the system a point of the canvas is.
 import { COLOURS } from "./colours.js";
 
+// The most points of a path: those of 15 seconds at 60 frames a second.
 const TRAIL = 900;
 
 export class Picture {
@@ -55,6 +56,8 @@ export class Picture {
         if (document.activeElement === this.canvas) this.ring(x, y);
     }
 
+    // Shapes as `src/scene.rs` writes them: the kind (0 line, 1 disc, 2 body, 3 arrow, 4 next point of a
+    // path), the colour, how many numbers follow, and these.
     shapes(module) {
         const count = module.draw();
         const shapes = [];

@@ -1,6 +1,7 @@
 // Curves of the last ten seconds.
 import { COLOURS } from "./colours.js";
 
+// In seconds of motion.
 const SPAN = 10;
 
 export class Strip {

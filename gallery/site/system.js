@@ -38,7 +38,7 @@ const forget = () => {
     Object.values(strips).forEach((strip) => strip.forget());
 };
 
-// A slider with its label and value.
+// Adds a slider with its label and value. Returns the function that shows a value.
 const slider = ({ name, unit, range: [low, high, step], start }, group, index, set) => {
     const row = document.createElement("div");
     const label = document.createElement("label");
@@ -84,7 +84,7 @@ const showSetting = page.settings.map((entry, index) =>
     }),
 );
 
-// Rows of numbers with the colours of their curves.
+// Adds rows with the colours of their curves to a table. Returns the cells for the numbers.
 const rows = (table, names) => names.map((name, index) => {
     const row = table.tBodies[0].insertRow();
     const head = document.createElement("th");
@@ -113,19 +113,20 @@ const keep = () => {
 };
 
 const restore = () => {
-    const from = read(page);
-    (from.parameters ?? page.parameters.map((entry) => entry.start)).forEach((value, index) => {
-        if (module.set_parameter(index, value)) parameters[index] = value;
+    const starts = page.parameters.map((entry) => entry.start);
+    // Sets all parameters first: on the way from one system to another a state may be impossible.
+    const assume = (values) => values.forEach((value, index) => {
+        module.assume_parameter(index, value);
+        parameters[index] = value;
     });
-    const begin = () => page.settings.forEach((entry, index) => module.set(index, entry.start));
-    if (from.state) {
-        from.state.forEach((value, index) => module.set_number(index, value));
-        if (!module.settle()) {
-            begin();
-            say("The address holds no state of this system.");
-        }
-    } else {
+    const begin = () => page.settings.every((entry, index) => module.set(index, entry.start));
+    const from = read(page);
+    assume(from.parameters ?? starts);
+    from.state?.forEach((value, index) => module.set_number(index, value));
+    if (!(from.state ? module.settle() : begin())) {
+        assume(starts);
         begin();
+        say("The address holds no state of this system.");
     }
     showParameter.forEach((show, index) => show(parameters[index]));
     forget();

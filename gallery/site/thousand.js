@@ -1,7 +1,9 @@
 // A thousand motions in one page, as fast as frames go.
 const COUNT = 1000;
+// The angle of all rods at the start, and the distance of neighbours [rad].
 const [ANGLE, SPREAD] = [2.2, 1e-9];
-const STEP = 1 / 60;
+// The longest time of motion in a frame [s]: slower machines show a slower motion.
+const LONGEST = 1 / 20;
 
 const element = (id) => document.getElementById(id);
 const { instance } = await WebAssembly.instantiateStreaming(fetch("thousand.wasm"), {});
@@ -42,12 +44,15 @@ const draw = () => {
 };
 
 let [frames, cost, since] = [0, 0, performance.now()];
+let last = since;
 const frame = (now) => {
+    const passed = Math.min(Math.max(now - last, 0) / 1000, LONGEST);
+    last = now;
     if (running) {
         const start = performance.now();
-        module.advance(STEP);
+        module.advance(passed);
         cost += performance.now() - start;
-        time += STEP;
+        time += passed;
     }
     draw();
     frames += 1;

@@ -118,6 +118,11 @@ macro_rules! page {
             }
 
             #[unsafe(no_mangle)]
+            extern "C" fn assume_parameter(index: u32, value: f64) {
+                PAGE.with_borrow_mut(|page| page.assume_parameter(index as usize, value))
+            }
+
+            #[unsafe(no_mangle)]
             extern "C" fn set(index: u32, value: f64) -> bool {
                 PAGE.with_borrow_mut(|page| page.set(index as usize, value))
             }

@@ -52,6 +52,14 @@ impl<M: Model<N>, const N: usize> Page<M, N> {
         true
     }
 
+    /// Sets a parameter for a state that is set afterwards. Whether they go together [`Page::settle`] tells.
+    pub fn assume_parameter(&mut self, index: usize, value: f64) {
+        if let Some(parameter) = self.parameters.get_mut(index) {
+            *parameter = value;
+            self.model = M::new(&self.parameters);
+        }
+    }
+
     /// Sets one setting and leaves the others; `false` if there is no such state.
     pub fn set(&mut self, index: usize, value: f64) -> bool {
         let mut settings = self.model.settings(&self.state);

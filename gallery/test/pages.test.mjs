@@ -26,7 +26,8 @@ after(async () => {
     server?.close();
 });
 
-// A page, one that moves unless it should not; what its console says of errors ends the test.
+// A page, one that moves unless it should not. `close` fails the test if there were errors, failed requests,
+// or requests of what is elsewhere.
 async function opened(path, { viewport = DESK, still = false } = {}) {
     const context = await browser.newContext({ viewport, reducedMotion: still ? "reduce" : "no-preference" });
     const page = await context.newPage();
@@ -72,7 +73,8 @@ for (const { name, title, parameters, coordinates, conservative, reactions } of 
         const [from, wall] = [await time(page), Date.now()];
         await page.waitForTimeout(1500);
         const [moved, passed] = [(await time(page)) - from, (Date.now() - wall) / 1000];
-        // Real time, but for frames longer than a twentieth of a second, of which a busy machine may have some.
+        // Real time, but for frames longer than a twentieth of a second, of which a busy machine may have
+        // some.
         assert.ok(moved > 0.3 * passed && moved < passed + 0.1, `${moved} s of motion in ${passed} s`);
         await page.screenshot({ path: `${SCREENS}/${name}.png`, fullPage: true });
         await page.click("#run");
@@ -142,6 +144,13 @@ for (const { name, title, parameters, coordinates, conservative, reactions } of 
         const { page, close } = await opened(`system.html?${name}`);
         await page.waitForTimeout(700);
         await page.click("#run");
+        // Parameters far from those of the start, as far as the state allows them.
+        for (let index = 0; index < parameters.length; index += 1) {
+            await page.focus(`#parameters-${index}`);
+            for (const key of ["PageUp", "PageUp", "PageUp"]) await page.keyboard.press(key);
+        }
+        const sliders = (page) => page.$$eval("#parameters input", (inputs) => inputs.map(({ value }) => value));
+        const set = await sliders(page);
         const state = await numbers(page, 2 * coordinates);
         const other = await opened(`system.html?${name}${new URL(page.url()).hash}`, { still: true });
         const restored = await numbers(other.page, 2 * coordinates);
@@ -150,6 +159,7 @@ for (const { name, title, parameters, coordinates, conservative, reactions } of 
         restored.forEach((value, index) => {
             assert.ok(Math.abs(value - state[index]) < 1e-12 * scale, `${restored}, not ${state}`);
         });
+        assert.deepEqual(await sliders(other.page), set);
         await other.close();
         const bad = await opened(`system.html?${name}#p=1&x=nonsense`);
         await bad.page.waitForFunction(() => window.gallery.module.time() > 0);
@@ -159,7 +169,7 @@ for (const { name, title, parameters, coordinates, conservative, reactions } of 
 
     test(`${name}: an hour of motion`, async () => {
         const { page, close } = await opened(`system.html?${name}`, { still: true });
-        // Frame by frame; what switches comes to rest, where a frame has nothing to show.
+        // Frame by frame where the energy is checked, else second by second.
         const found = await page.evaluate((step) => {
             const { module } = window.gallery;
             const until = module.time() + 3600;

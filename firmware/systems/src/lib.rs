@@ -63,8 +63,7 @@ pub trait Visitor<R: Bits> {
 pub fn each<R: Bits, V: Visitor<R>>(visitor: &mut V) -> Result<(), V::Error> {
     methods::<DoublePendulum<R>, R, V, 0>(visitor)?;
     methods::<Rod<R>, R, V, 0>(visitor)?;
-    // The puck is not among them: its contacts fill the memory of a small board. It runs in `footprint`, a
-    // program of one system.
+    // The puck is not among them: its contacts fill the memory of a small board. `footprint` links it alone.
     methods::<CartPole<R>, R, V, 1>(visitor)
 }
 

@@ -7,7 +7,8 @@ use crate::number::real::Real;
 use crate::system::System;
 use crate::system::state::State;
 
-/// A state alone, without a motion that leads there, and the regime that goes on from it.
+/// A state alone, without a motion that leads there, and the regime that goes on from it; `None` where the
+/// laws of contact have no solution, or several.
 fn at_state<'a, S, const N: usize, const K: usize, const C: usize, const W: usize>(
     system: &'a S,
     t: S::Scalar,
@@ -28,7 +29,7 @@ where
     Some((scene, choice))
 }
 
-/// Accelerations at a state; NaN where the laws of contact have no solution.
+/// Accelerations at a state; NaN where the laws of contact have no solution, or several.
 #[doc(hidden)]
 #[must_use]
 pub fn accelerations<S, const N: usize, const K: usize, const C: usize, const W: usize>(
@@ -52,8 +53,9 @@ where
     at_state(system, t, q, v, u).map_or_else(none, |(_, choice)| choice.accelerations)
 }
 
-/// The multipliers of all rows at a state, and whether the motion determines each: if not, the shortest
-/// that are possible. NaN where the laws of contact have no solution.
+/// The multipliers of all rows at a state, and whether the motion determines each. If not, they are the
+/// shortest that are possible, or with loads just possible ones. NaN and false where the laws of contact have
+/// no solution, or several.
 #[doc(hidden)]
 #[must_use]
 pub fn multipliers<S, const N: usize, const K: usize, const C: usize, const W: usize>(

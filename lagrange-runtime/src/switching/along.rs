@@ -35,12 +35,13 @@ const FURTHER: f64 = 1.0 / 16.0;
 /// The most halvings of a step on which a guard's series does not converge.
 const HALVINGS: i32 = 40;
 
-/// A part of a step that is too short to matter, as a multiple of the shortest part.
+/// The length of a part of a step that is too short to matter, as a multiple of the shortest part on which
+/// convergence is looked for.
 const BEYOND: f64 = 64.0;
 
 /// The result of examining a step.
 pub(super) struct Found<R> {
-    /// The first guard that falls through zero, and where.
+    /// The first guard that falls through zero, and where; `None` if none does.
     pub(super) first: Option<(Fall<R>, Guard)>,
     /// The part of the step on which the guards are known.
     pub(super) until: R,
@@ -63,6 +64,7 @@ enum Known<R, const N: usize> {
     /// A part that is too short to matter: the guard has no series on it, as the distance from a centre has
     /// none there, but does not come near zero.
     Clear(R),
+    /// No part: the guard has to be sampled.
     Nowhere,
 }
 
@@ -90,8 +92,8 @@ where
     S::Scalar: Ordered,
 {
     /// The first guard that falls through zero along a step to `end`, to the rounding errors of its
-    /// polynomial, as far as guards are known. The guard `fired` is zero where the step starts. Each part
-    /// that is examined by itself is one of the `attempts`.
+    /// polynomial, as far as guards are known. The guard `fired` is zero where the step starts. Each shorter
+    /// part that is tried for the sake of rounding errors is one of the `attempts`.
     pub(super) fn first_along(
         &mut self,
         course: &Course<'_, S::Scalar, N>,
@@ -174,7 +176,7 @@ where
         Ok(found)
     }
 
-    /// The first fall of a guard along its way.
+    /// The first fall of a guard along its way; `None` if it does not fall.
     fn fall(
         &self,
         Way { guard, curve, end: last, before }: &Way<S::Scalar, N>,
@@ -219,7 +221,7 @@ where
         Ok(has_fallen.then_some(Fall { place: until, fallen: until }))
     }
 
-    /// The part of the step, no longer than `until`, on which a guard is known.
+    /// The part of the step on which a guard is known, no longer than `until` if it has a series there.
     fn known(
         &self,
         guard: Guard,

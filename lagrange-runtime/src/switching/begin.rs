@@ -57,8 +57,10 @@ where
         Ok(())
     }
 
-    /// Opens the contacts that bear only because the motion has landed here, as far as it needs none of them,
-    /// where those that are closed depend on each other at this state and allow no motion beside it.
+    /// Chooses the regime anew where a step has failed because contacts that are closed depend on each other.
+    /// Contacts that bear only because the motion has landed here are opened, unless the motion needs them.
+    /// Returns false, and leaves the regime, if the step has failed for another `cause`, or if the motion has
+    /// not landed here on such contacts.
     #[cold]
     pub(super) fn lets_go(&mut self, cause: &Cause) -> Result<bool, Cause> {
         let landed = core::mem::replace(&mut self.memory.landed, [false; C]);
@@ -85,7 +87,8 @@ where
         }
     }
 
-    /// Checks that the coefficients of restitution and friction are valid.
+    /// Checks that the coefficients of restitution and friction are valid, and that gaps, rates and switching
+    /// functions are finite.
     fn check(
         &self,
         laws: &Laws<S::Scalar, C, W>,
@@ -93,14 +96,14 @@ where
     ) -> Result<(), Cause> {
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
         for (row, kind) in S::ROWS.iter().enumerate() {
-            // Derivatives of a coefficient may lead beyond its bounds, but it is within them.
+            // Bounds are those of the coefficient itself. Its derivatives may have any value.
             let e = laws.restitution[row].part(0);
             // A friction that slips has one direction.
             let slip = laws.rows.rates[row];
             let is_one = above(slip.abs(), rounding::<S::Scalar>() * laws.rows.rate_sizes[row]);
             let is_valid = |Coefficients { kinetic, fixed }: &Coefficients<S::Scalar, C>| {
                 let (kinetic, fixed) = (kinetic[row].part(0), fixed[row].part(0));
-                // Coefficients are compared by their squares.
+                // Guards have the squares of coefficients.
                 kinetic >= zero && fixed >= kinetic && (fixed * fixed).is_finite()
             };
             let is_good = match kind {
@@ -124,8 +127,8 @@ where
         }
     }
 
-    /// Refuses a start that penetrates by more than the last digits of nine-digit numbers; gaps within that
-    /// are closed.
+    /// Refuses a start that penetrates by more than √ε/16 of the size of the gap, which for `f64` is the last
+    /// digit of a number with nine. Returns the contacts that penetrate by less: they count as closed.
     fn penetrating(
         &self,
         state: &State<S::Scalar, N>,

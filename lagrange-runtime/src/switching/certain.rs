@@ -12,7 +12,8 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// The contact at which the reactions of two regimes differ, if the motion differs.
+    /// The first contact or constraint that reacts otherwise in one regime than in the other. `None` if the
+    /// motions do not differ, or if one of the regimes is uncertain there.
     pub(super) fn differs(
         &self,
         a: &Choice<S::Scalar, N, C, W>,
@@ -28,7 +29,8 @@ where
         (apart && self.are_certain(row, a) && self.are_certain(row, b)).then_some(row)
     }
 
-    /// Whether a contact reacts or opens by more than the threshold of a tie, and slips that begin do, too.
+    /// Whether a contact reacts or opens by more than the threshold of a tie, and slips that begin grow by
+    /// more, too.
     fn are_certain(&self, row: usize, choice: &Choice<S::Scalar, N, C, W>) -> bool {
         let part = S::Scalar::epsilon().sqrt();
         let sizes = choice.sizes.levelled(&self.units);

@@ -23,7 +23,7 @@ pub(super) struct Choice<R, const N: usize, const C: usize, const W: usize> {
     pub(super) regime: Regime<R, C, W>,
     /// Velocities: those of the state, except for a slip in two directions that begins.
     pub(super) velocities: [R; N],
-    /// How much later the motion has these velocities, where that is known.
+    /// How much later the motion has these velocities \[s]; zero where that is not known.
     pub(super) later: R,
     pub(super) accelerations: [R; N],
     pub(super) multipliers: [R; C],
@@ -34,13 +34,21 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// The regime that goes on.
+    /// The regime that goes on. If there is none, slips in two directions that are too slow to have a
+    /// direction count as friction at rest.
     ///
-    /// `avoid` is the row whose guard has ended its activity. The row goes on with it only if nothing else is
-    /// possible. If its reaction has fallen through zero, the polynomial has decided about it, and
-    /// accelerations and reactions tie. If it is a gap, it may have touched zero alone. If it is a friction
-    /// at its limit, it may stick in another regime. In the regime that it has ended it slips: its
-    /// acceleration grows from zero there, hidden by rounding errors or by the slip that it begins with.
+    /// `avoid` is the row whose guard has fired. It goes on as before only if nothing else is possible:
+    ///
+    /// * If its reaction has fallen through zero, the polynomial has decided: the contact opens, or the
+    ///   constraint presses from the other side. Accelerations and reactions tie and are not asked.
+    /// * If it is a gap, it may have touched zero alone, and stay open.
+    /// * If it is a friction at its limit, it may stick in another regime. In the regime that its guard has
+    ///   ended it slips. There its acceleration grows from zero, hidden by rounding errors or by the slip
+    ///   that it begins with.
+    ///
+    /// # Errors
+    /// [`Cause::NoReaction`] or [`Cause::SeveralReactions`] where the laws of contact have no solution or
+    /// several, [`Cause::NotFinite`] where no regime has accelerations.
     pub(super) fn choose(
         &self,
         present: &Regime<S::Scalar, C, W>,
@@ -167,7 +175,8 @@ where
                 _ => Options::new(&[Part::Off]),
             };
             let part = match kind {
-                // A slip that begins has no direction of its own, so friction at rest holds if it can.
+                // A slip in two directions that begins has no direction of its own, so friction at rest
+                // holds if it can.
                 Row::Friction { pair: Some(_), .. } if avoid != Some(row) => Part::On,
                 _ => Part::of(row, kind, present),
             };
@@ -181,7 +190,7 @@ where
         let has_begun = begins.any();
         let velocities = if has_begun { self.begun(&regime, &begins)? } else { self.state.v };
         let (mut balance, sizes) = self.balance(&regime, &velocities)?;
-        // Where rows depend on each other there are other reactions as well.
+        // Where rows depend on each other there are other reactions as well: the shortest are taken.
         if balance.independence.rank < balance.independence.rows
             && let drags = self.drags(&regime, &velocities)
             && let Some(shortest) = self.shortest(&regime, &drags, &balance.multipliers, Sticking::ByForces)
@@ -204,7 +213,8 @@ where
         })
     }
 
-    /// The accelerations and multipliers of a regime, and the sizes of their terms.
+    /// The accelerations and multipliers of a regime, and the sizes of their terms; `None` where these are
+    /// not finite.
     pub(super) fn balance(
         &self,
         regime: &Regime<S::Scalar, C, W>,
@@ -240,12 +250,13 @@ where
         Some((balance, Sizes { forces, accelerations }))
     }
 
-    /// The rate of the rate of a row.
+    /// The rate of the rate of a row, or of a slip: A a − γ.
     pub(super) fn rate(&self, row: usize, accelerations: &[S::Scalar; N]) -> S::Scalar {
         self.along(row, accelerations) - entry(&self.gamma, row)
     }
 
-    /// Whether the demands of a combination agree with its consequences; if not, the row where they do not.
+    /// Whether the demands of a combination agree with its consequences, up to a `part` of the sizes of
+    /// numbers; if not, the row where they do not.
     pub(super) fn judge(
         &self,
         parts: &[Part; C],
@@ -331,8 +342,8 @@ pub(super) struct Sizes<R, const N: usize> {
 }
 
 impl<R: Real, const N: usize> Sizes<R, N> {
-    /// The same size of all forces, and of all accelerations, in units in which no coordinate is larger than
-    /// another: the largest force alone.
+    /// The sizes as if the largest force acted at each coordinate, in `units` in which no coordinate is
+    /// larger than another. Accelerations that are larger stay as they are.
     pub(super) fn levelled(&self, units: &[R; N]) -> Self {
         let sizes = self.forces.iter().zip(units).map(|(&force, &unit)| force * unit);
         let largest = sizes.fold(R::zero(), most);
@@ -359,8 +370,8 @@ pub(super) fn is_limit<const C: usize>(rows: &[Row; C], row: usize) -> bool {
     rows.iter().any(|kind| matches!(kind, Row::Friction { normal: Some(normal), .. } if *normal == row))
 }
 
-/// The sides of kinks at a state. The side of a switching function that is zero is not known, and taken as
-/// above.
+/// The sides of kinks at a state. A switching function that is zero up to rounding has no side of its own and
+/// keeps the `present` one.
 pub(super) fn sides<R: Real, const W: usize>(kinks: &[R; W], present: &[R; W], sizes: &[R; W]) -> [R; W] {
     array(|kink| {
         if !above(kinks[kink].abs(), rounding::<R>() * sizes[kink]) {

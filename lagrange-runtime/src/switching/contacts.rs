@@ -14,7 +14,7 @@ use crate::system::state::State;
 pub enum Contact {
     /// A constraint that always holds.
     Holds,
-    /// A contact that has a gap, or is about to lift off.
+    /// A contact that has a gap, is about to lift off, or merely touches beside others that hold the motion.
     Open,
     /// A contact that is closed.
     Closed,
@@ -22,7 +22,7 @@ pub enum Contact {
     Sticks,
     /// Friction that slips.
     Slips,
-    /// Friction of a contact that is open.
+    /// Friction of a contact that is open, or friction whose limit is zero and stays zero.
     Idle,
 }
 
@@ -37,7 +37,8 @@ pub trait NamedRows<const C: usize> {
 pub struct Switch<R, const N: usize> {
     /// The state before it: in an impact, that with the velocities at which bodies meet.
     pub before: State<R, N>,
-    /// The state after it, at the same time.
+    /// The state after it, at the same time. Where a slip in two directions comes to rest, it is a little
+    /// later than `before`, which is then the last state of the slip that a step has reached.
     pub state: State<R, N>,
 }
 
@@ -68,18 +69,19 @@ where
         .into()
     }
 
-    /// The impulses \[N s] of the last change of the regime, by name: `motion.impulses().floor`, in the units
-    /// and directions of the reactions. All are zero where it was no impact; of infinitely many impacts that
-    /// are taken together they are the sum.
+    /// The impulses of the last change of the regime, by name: `motion.impulses().floor`. They have the
+    /// directions of the reactions, and are in N s where a reaction is in N. All are zero where it was no
+    /// impact. Where infinitely many impacts are taken together, they contain the impulses of the plastic
+    /// impact that stands for those that would follow.
     ///
-    /// Ask after [`Simulation::advance_to_switch`]: as the contacts they belong to the end of the
+    /// Ask after [`Simulation::advance_to_switch`]: like the contacts, they belong to the end of the
     /// integrator's last step.
     pub fn impulses(&self) -> S::Rows<S::Scalar> {
         (*self.memory.impulses()).into()
     }
 
-    /// Moves to the next change of the regime. If none comes before time `until` \[s], moves there and
-    /// returns `None`.
+    /// Moves to the next change of the regime up to time `until` \[s], which is included, and forward in time
+    /// alone. If there is none, moves to `until` and returns `None`.
     ///
     /// # Errors
     /// As [`Simulation::advance_to`].

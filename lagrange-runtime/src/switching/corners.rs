@@ -16,7 +16,8 @@ where
     S::Scalar: Ordered,
     M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
 {
-    /// Goes to the other side of a kink.
+    /// Goes to the other side of a kink. That is an error where the motion is held at the kink, or where
+    /// something jumps that must not.
     pub(super) fn cross(
         &mut self,
         kink: usize,
@@ -40,7 +41,8 @@ where
     }
 
     /// Whether the argument of a switch did not come to zero, but leapt when another switch that it contains
-    /// went over at this time. Its size is that along the piece, as it may be all there is of it here.
+    /// went over at this time. It is compared with the larger of its sizes here and at the start of the
+    /// piece, since here its own value may be all of its size.
     #[cold]
     fn has_leapt(&self, kink: usize, state: &State<S::Scalar, N>) -> bool {
         let of = |state: &State<S::Scalar, N>| {
@@ -90,8 +92,8 @@ where
     }
 
     /// Whether a momentum or the rate of a constraint jumps at a kink, so that velocities do not go through
-    /// it as they are. At the kink itself a function may be nothing but rounding errors, so its size is that
-    /// along the piece.
+    /// it as they are. At the kink itself a function may be nothing but rounding errors, so the gain has to
+    /// count beside its size in the middle of the piece as well.
     fn has_corner(&mut self, kink: usize, state: &State<S::Scalar, N>) -> bool {
         let part = S::Scalar::epsilon().sqrt();
         let mut middle = None;

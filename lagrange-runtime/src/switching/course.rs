@@ -18,11 +18,11 @@ pub(super) struct Course<'a, R, const N: usize> {
     pub(super) powers: [R; TERMS],
     /// The relative truncation error of the motion.
     pub(super) left: R,
-    /// The terms of coordinates and velocities that are not zero.
+    /// The terms of coordinates and velocities, without those at the end that are zero.
     rows: [&'a [[R; N]]; 2],
 }
 
-/// Rows of so many terms, of which the first stays, without those at the end that are zero.
+/// Terms in rows of this width, without the rows at the end that are zero. The first row stays.
 fn known<T>(terms: &[T], width: usize, is_zero: impl Fn(&T) -> bool) -> &[T] {
     let count = terms.iter().rposition(|term| !is_zero(term)).map_or(1, |last| last + 1);
     terms.get(..count.next_multiple_of(width.max(1))).unwrap_or(terms)
@@ -30,11 +30,11 @@ fn known<T>(terms: &[T], width: usize, is_zero: impl Fn(&T) -> bool) -> &[T] {
 
 /// The gain of a polynomial after its start.
 pub(super) struct Gain<R> {
-    /// A bound of the gain.
+    /// A bound of its magnitude on the step.
     pub(super) most: R,
     /// The gain at the end.
     pub(super) whole: R,
-    /// The magnitudes of the last two terms.
+    /// The sum of the magnitudes of the last two terms.
     pub(super) last: R,
 }
 
@@ -69,7 +69,7 @@ impl<'a, R: Ordered, const N: usize> Course<'a, R, N> {
         Self { terms: Terms { functions, ..terms }, rows, powers: powers(terms.length), left }
     }
 
-    /// The duration of the step.
+    /// The duration of the step \[s], without direction.
     pub(super) fn time(&self) -> R {
         (self.terms.length * self.terms.unit).abs()
     }
@@ -101,8 +101,19 @@ impl<'a, R: Ordered, const N: usize> Course<'a, R, N> {
     /// One of `stride` reactions after a part of the step; zero if they are not known.
     pub(super) fn reaction_at(&self, row: usize, stride: usize, place: R) -> R {
         let theta = place * self.terms.length;
-        let rows = self.terms.reactions.get(row..).unwrap_or_default().iter().step_by(stride.max(1));
-        rows.take(self.order()).rev().fold(R::zero(), |sum, &term| R::mul_add(sum, theta, term)).part(0)
+        let rows = self.series(self.terms.reactions, row, stride).into_iter().flatten();
+        rows.rev().fold(R::zero(), |sum, &term| R::mul_add(sum, theta, term)).part(0)
+    }
+
+    /// The terms of one of `stride` series that lie beside each other; `None` where the step has no series.
+    fn series(
+        &self,
+        terms: &'a [R],
+        index: usize,
+        stride: usize,
+    ) -> Option<impl DoubleEndedIterator<Item = &'a R> + ExactSizeIterator> {
+        let own = terms.get(index..).filter(|own| !own.is_empty())?;
+        Some(own.iter().step_by(stride.max(1)).take(self.order()))
     }
 
     /// The order of the series.
@@ -117,36 +128,36 @@ impl<'a, R: Ordered, const N: usize> Course<'a, R, N> {
 
     /// The gain of one of `stride` functions that the series follows.
     pub(super) fn gain_of_function(&self, index: usize, stride: usize) -> Option<Gain<R>> {
-        let rows = self.terms.functions.get(index..)?.iter().step_by(stride.max(1));
-        Some(Gain::of(rows.take(self.order()).zip(self.powers.iter().skip(1))))
+        let rows = self.series(self.terms.functions, index, stride)?;
+        Some(Gain::of(rows.zip(self.powers.iter().skip(1))))
     }
 
     /// The value of one of `stride` reactions at the start, and its gain.
     pub(super) fn gain_of_reaction(&self, row: usize, stride: usize) -> Option<(R, Gain<R>)> {
-        let mut rows = self.terms.reactions.get(row..)?.iter().step_by(stride.max(1)).take(self.order());
+        let mut rows = self.series(self.terms.reactions, row, stride)?;
         let start = rows.next()?.part(0);
         Some((start, Gain::of(rows.zip(self.powers.iter().skip(1)))))
     }
 
-    /// The polynomial of one of `stride` functions, from its value at the start.
+    /// The polynomial of one of `stride` functions, from its value at the start; `None` without a series.
     pub(super) fn curve_of_function(&self, along: Along, stride: usize, start: R) -> Option<Taylor<R>> {
         let index = match along {
             Along::Constant => return Some(Taylor::constant(start.part(0))),
             Along::Series(index) => index,
             Along::Unknown => return None,
         };
-        let rows = self.terms.functions.get(index..)?.iter().step_by(stride.max(1)).take(self.order());
+        let rows = self.series(self.terms.functions, index, stride)?;
         let terms = rows.zip(self.powers.iter().skip(1)).map(|(&term, &power)| (term * power).part(0));
         Some(Taylor::of(core::iter::once(start.part(0)).chain(terms)))
     }
 
     /// The polynomial of one of `stride` reactions, which is one order shorter.
     pub(super) fn curve_of_reaction(&self, row: usize, stride: usize) -> Option<Taylor<R>> {
-        let rows = self.terms.reactions.get(row..)?.iter().step_by(stride.max(1)).take(self.order());
+        let rows = self.series(self.terms.reactions, row, stride)?;
         Some(Taylor::of(rows.zip(&self.powers).map(|(&term, &power)| (term * power).part(0))))
     }
 
-    /// The last terms of a function of reactions.
+    /// The sum of the magnitudes of the last two terms of a function of reactions.
     pub(super) fn last_of_reactions(&self, curve: &Taylor<R>) -> R {
         let order = self.order();
         let term = |order| curve.coefficients.get(order).copied().unwrap_or(R::zero()).abs();

@@ -18,7 +18,8 @@ where
     S::Scalar: Ordered,
     M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
 {
-    /// The first event of the piece.
+    /// The first event of the piece: a guard falls through zero, or guards are known no further. `None` if
+    /// they are known on the whole piece and none falls.
     pub(super) fn event(&mut self, attempts: &mut u64) -> Result<Option<Event<S::Scalar, N>>, Cause> {
         let memory = &mut *self.memory;
         let (start, end) = (memory.start, memory.end);
@@ -64,7 +65,8 @@ where
             None if known < one => (known, None),
             None => return Ok(None),
         };
-        // A state belongs to a rounded time. The guard tells how much rounding has moved it.
+        // A state belongs to a rounded time. The time without rounding, or else the guard, tells how much
+        // rounding has moved it.
         let span = end.t - start.t;
         let is_beyond = |t: S::Scalar| (t - end.t) * span > zero;
         let mut at_time = |t: S::Scalar| {

@@ -10,7 +10,8 @@ impl<T, const C: usize, const W: usize> Functions<T, C, W> {
             Guard::Row(row) => self.rows.get(row),
             Guard::Kink(kink) => self.kinks.get(kink),
         };
-        // The index of a guard is within its array; the alternatives tell the compiler so.
+        // The index of a guard is within its array. With these alternatives the compiler, too, sees that no
+        // system with rows or kinks panics here.
         match found.or(self.rows.first()).or(self.kinks.first()) {
             Some(function) => function,
             None => unreachable!("a system that switches has rows or kinks"),

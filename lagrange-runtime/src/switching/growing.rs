@@ -7,8 +7,8 @@
 //! one piece, with accelerations under friction against the load at its end, which grow linearly from those
 //! at its start.
 //!
-//! With the time T in which the load grows by itself, that is true to (τ/T)³. What is left takes a few T/τ
-//! steps.
+//! If T is the time in which the load grows by its own size, the relative error of this is about (τ/T)³. The
+//! motion from there until T takes a few times T/τ steps.
 
 use super::choice::Choice;
 use super::memory::shift;
@@ -23,7 +23,8 @@ use crate::system::state::State;
 /// The most times that a time is lengthened or shortened.
 const TRIES: usize = 128;
 
-/// The factor by which it is lengthened at most.
+/// The factor by which it is lengthened while the load has hardly grown. The first one is so many ulps of the
+/// time of the state.
 const FACTOR: f64 = 16.0;
 
 /// A motion with slips that a growing load has begun, a short time later.
@@ -42,7 +43,7 @@ type Ahead<R, const N: usize, const C: usize, const W: usize> = (Grown<R, N, C, 
 
 /// The reason why there is no such motion for a time.
 enum Not<R, const C: usize, const W: usize> {
-    /// The load has not grown beyond what friction holds.
+    /// The load has not grown beyond what friction holds, or not evenly, or no motion is found.
     Grown,
     /// Another regime has begun meanwhile.
     Alone(Regime<R, C, W>),
@@ -77,7 +78,7 @@ where
                 Err(Not::Alone(other)) => regime = other,
             }
         }
-        // What begins later meanwhile is met by the motion that has begun.
+        // Otherwise only the slips of the choice begin here. The motion meets those that begin later.
         self.until(choice.regime, a, scales)
     }
 
@@ -166,7 +167,8 @@ where
         shift(&mut state, a, later);
         state.t += later;
         in_regime.project_at(&in_regime.constants(), &mut state, None).map_err(|_| Not::Grown)?;
-        // The state is projected onto these, so that what is left of their rates is rounding errors.
+        // Contacts that bear and friction at rest: the state has been projected onto them, so that what is
+        // left of their rates is rounding errors.
         let rested = array(|row| match self.status.get(row) {
             Some(Status::Touches) => regime.active.get(row) == Some(&true),
             status => status == Some(&Status::Rests),

@@ -49,7 +49,7 @@ where
     S: Switching<N, K, C, W>,
     S::Scalar: Ordered,
 {
-    /// The guards of a step that starts at a state, and is a polynomial or not.
+    /// The guards of a step that starts at a state. If it is no polynomial (`is_along`), all are sampled.
     pub(super) fn new(
         system: &'a S,
         in_regime: &'a S::InRegime,
@@ -64,7 +64,8 @@ where
         let mut turns = false;
         for (row, kind) in S::ROWS.iter().enumerate() {
             watch.rows[row] = match kind {
-                // Beyond the zero of a load its series has the other sign.
+                // Friction that slips has the sign of the reaction that drives it in its equations. Beyond
+                // the zero of a load its series has the other sign.
                 Row::Bilateral | Row::Load => S::ROWS.iter().enumerate().any(|(other, kind)| {
                     matches!(kind, Row::Friction { normal: Some(normal), .. } if *normal == row)
                         && slips(other)
@@ -178,7 +179,8 @@ where
                     };
                 }
                 Row::Friction { pair: None, .. } => turn(self.regime.slip[row], &mut rows[row]),
-                // The other of a pair has no guard of its own.
+                // This is zero where the slip has turned by a right angle, or has come to rest. The other of
+                // a pair has no guard of its own.
                 Row::Friction { pair: Some(other), .. } => {
                     let along = |row: usize| number(self.watch.directions[row]) * rows[row];
                     rows[row] = along(row) + along(other);
@@ -230,7 +232,7 @@ where
         *own.made(|x| x, own.parts(|x| x, *t, [q, v]), &reactions).get(guard)
     }
 
-    /// One of the guards at a state without derivatives, likewise.
+    /// One of the guards at a state whose numbers are sums of summands of these sizes, without derivatives.
     pub(super) fn value(
         &self,
         guard: Guard,
@@ -256,9 +258,9 @@ where
         values
     }
 
-    /// The first guard watched by samples that falls through zero on a step between two times, before a part
-    /// of it has passed, and the part that has passed then. `at` gives the state after a part. Each part that
-    /// is examined by itself is one of the `attempts`.
+    /// The first guard watched by samples that falls through zero on a step between two times, and the part
+    /// of the step that has passed then; `None` if none falls within the part `until`. `at` gives the state
+    /// after a part. Each part that is examined after the first is one of the `attempts`.
     pub(super) fn first(
         &self,
         scales: &Scales<S::Scalar, C>,
@@ -275,7 +277,8 @@ where
         }
         let (mut from, mut to) = (zero, until);
         let nan = Values::of(S::Scalar::from_f64(f64::NAN));
-        // Time is rounded, so a guard is uncertain by its change in the meantime.
+        // Time is rounded, so a guard is uncertain by its change in an ulp of time. That is ε · `late` of the
+        // step.
         let late = most(start.abs(), end.abs()) / (end - start).abs();
         loop {
             let width = to - from;
@@ -309,7 +312,7 @@ where
                 }
             }
             match (unresolved, earliest) {
-                // The part before the unresolved one is known; the rest of the step does not matter.
+                // What no polynomial knows on so short a part cannot be followed at all.
                 (Some(why), _) if width <= shortest => {
                     return Err(why.cause());
                 }
@@ -329,7 +332,7 @@ where
     }
 
     /// The delay of a time after the zero of a guard that the rounding of time has made, from values of the
-    /// guard there and a little earlier.
+    /// guard there and a little earlier; zero if it is more than rounding can make.
     pub(super) fn late(&self, guard: Guard, [earlier, there]: [&State<S::Scalar, N>; 2]) -> S::Scalar {
         let [before, value] = [earlier, there].each(|state| self.values(state).get(guard).0);
         let late = value / (value - before) * (there.t - earlier.t);
@@ -354,8 +357,8 @@ where
         }
     }
 
-    /// The place where a guard falls through zero on a part of the step. A function of its own: its code
-    /// would stand in each of many places.
+    /// The place where a guard falls through zero on a part of the step, if it does. A function of its own:
+    /// its code would stand in each of many places.
     #[inline(never)]
     fn falls(
         &self,

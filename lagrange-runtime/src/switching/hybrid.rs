@@ -5,8 +5,9 @@
 //! at the first zero, and the regime that goes on from there is chosen. The rest of a step behind the cut is
 //! never seen.
 //!
-//! A motion in one regime is a *piece*. Its start and end are limits from inside: at the end of a piece an
-//! impact has not happened yet. [`Adaptive::sample`] and [`Adaptive::advance`] give the state after it.
+//! A step in one regime, or its beginning up to the cut, is a *piece* of the motion. Its start and end are
+//! limits from inside: at the end of a piece an impact has not happened yet. [`Adaptive::sample`] and
+//! [`Adaptive::advance`] give the state after it.
 
 use core::marker::PhantomData;
 
@@ -23,7 +24,7 @@ use crate::system::limits::Limits;
 use crate::system::method::{Adaptive, Steps};
 use crate::system::state::State;
 
-/// A motion whose equations switch: between switches by the method `M`.
+/// The method for motions whose equations switch. Between switches it is the method `M`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Hybrid<M, const C: usize, const W: usize>(PhantomData<M>);
 
@@ -88,7 +89,8 @@ where
     where
         S::Scalar: Ordered,
     {
-        // Inside a piece the motion begins with the regime of the piece.
+        // At the state that follows a piece the motion begins with the regime that follows, inside a piece
+        // with that of the piece.
         if let Some((regime, after)) = memory.next.take()
             && after.t == state.t
         {

@@ -1,31 +1,33 @@
 //! Impacts: complementarity on the level of velocities.
 //!
 //! Bodies are rigid, so an impact takes no time and forces of a given size have no part in it: dry joints
-//! with a given limit turn freely, bilateral constraints keep their velocities. Over all contacts that touch
-//! at the moment Newton's law with the coefficient e of each is u⁺ + e u⁻ ≥ 0 ⟂ Λ ≥ 0, friction is Coulomb's
-//! law for impulses: it sticks while |Λₜ| ≤ μ Λₙ, else |Λₜ| = μ Λₙ against the slip after the impact
-//! (Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapter 8; Brogliato, *Nonsmooth
-//! Mechanics*, 4.3).
+//! with a given limit turn freely, bilateral constraints keep their velocities. Newton's law holds for all
+//! contacts that touch at the moment: u⁺ + e u⁻ ≥ 0 ⟂ Λ ≥ 0 with the coefficient e of each, or zero for one
+//! that opens already. Friction obeys Coulomb's law for impulses: it sticks while |Λₜ| ≤ μ Λₙ, else
+//! |Λₜ| = μ Λₙ against the slip after the impact (Pfeiffer and Glocker, *Multibody Dynamics with Unilateral
+//! Contacts*, chapter 8; Brogliato, *Nonsmooth Mechanics*, 4.3).
 //!
 //! With Poisson's law the impulses of a plastic impact, that of the compression, are followed by those of an
 //! expansion, of which each contact gives at least e times what it took; friction obeys its law in either
 //! phase (Pfeiffer and Glocker, 8.3). Where one of the contacts follows it, all that touch do.
 //!
 //! With friction, or with several contacts of different coefficients, such laws can create energy, or have
-//! no solution. Where that is so, the impulses are (1 + e) times those of a plastic impact instead, e the
-//! least of the coefficients: a plastic impact takes energy away, and along the line from the velocities
-//! before it to twice as far behind it the kinetic energy is a parabola with equal values at equal distances
-//! from its lowest point, which is not nearer than the plastic one.
+//! no solution. Then the impulses are 1 + e times those of a plastic impact instead. Here e is the least
+//! coefficient of the contacts that strike, or less where another contact would be penetrated. Such impulses
+//! add no energy. Along the line from the velocities before the plastic impact through those after it the
+//! kinetic energy is a parabola. Its lowest point lies at the plastic impact or beyond, so up to twice that
+//! distance the energy is no larger than before.
 
 use super::scene::{Known, Scales, Scene, Status, above, entry, most, product, rounding};
 use super::trials::{Options, Part, changes, combinations, combine, thresholds};
-use super::{Row, Switching};
+use super::{Laws, Row, Switching};
 use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::state::State;
 
-/// The most combinations that are tried one by one at once.
+/// Up to so many combinations are tried one by one before sweeps: those of six contacts that are open or
+/// closed.
 const FEW: usize = 64;
 
 /// Velocities after an impact, and the impulses of all rows.
@@ -59,7 +61,8 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// The velocities after the impact, and its impulses.
+    /// The velocities after the impact, and its impulses. Fails as `strike` does where even a plastic impact
+    /// has no solution.
     pub(super) fn impact(&self) -> Result<Struck<S::Scalar, N, C>, Cause> {
         let restitution = &self.laws.restitution;
         let zero: S::Scalar = num_traits::Zero::zero();
@@ -113,6 +116,9 @@ where
         let scales = Scales { speeds: self.speeds, ..Scales::new() };
         let state = State { v, ..self.state };
         let between = Scene::new(self.system, &state, self.inputs, self.kinks, &scales, &known);
+        // Coefficients are those of the velocities before the impact, in both phases.
+        let laws = Laws { rows: between.laws.rows, ..self.laws };
+        let between = Scene { laws, coefficients: self.coefficients, ..between };
         let expansion = between.strike(&Demand { given, ..Demand::plastic() })?;
         Ok(Impulses {
             changes: array(|i| compression.changes[i] + expansion.changes[i]),
@@ -134,6 +140,8 @@ where
         above(gained, rounding::<S::Scalar>() * size)
     }
 
+    /// The impulses of the first combination that agrees with the laws of impact and this demand. Fails with
+    /// `NoReaction` where none agrees, with `NotFinite` where none has a solution.
     fn strike(&self, demand: &Demand<S::Scalar, C>) -> Result<Impulses<S::Scalar, N, C>, Cause> {
         let options: [Options; C] = array(|row| self.ways(row));
         let by_sweeps = || {
@@ -166,6 +174,7 @@ where
     }
 
     /// The impulses of a combination if they agree with its demands; if not, the row where they do not.
+    /// `None` for a combination without a solution.
     fn agreed(
         &self,
         parts: &[Part; C],
@@ -177,7 +186,7 @@ where
         Some(self.agree(parts, &strike, demand, part).map(|()| strike))
     }
 
-    /// The activities of a row in an impact.
+    /// The possible activities of a row in an impact, the one to be tried first at the beginning.
     fn ways(&self, row: usize) -> Options {
         let is_limit = super::choice::is_limit(&S::ROWS, row);
         match (S::ROWS[row], self.status[row]) {

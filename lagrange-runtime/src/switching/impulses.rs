@@ -14,7 +14,8 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// The impulses of a combination; `None` where it has no solution.
+    /// The impulses of a combination; `None` where it has no solution or repeats another combination. Slips
+    /// in two directions count as found where they lack less than `part` of their sizes.
     pub(super) fn impulses(
         &self,
         parts: &[Part; C],
@@ -52,8 +53,8 @@ where
         let smooth = self.without_friction(parts, options, demand)?;
         let rates = &self.laws.rows.rates;
         let after = |row: usize, changes: &[S::Scalar; N]| entry(rates, row) + self.along(row, changes);
-        // The strike at velocities with some slips, what it lacks of their change, and whether that is
-        // nothing.
+        // The strike where friction opposes the slips that these changes of velocities leave; these slips;
+        // what they lack of those after the strike; and whether that is nothing.
         let seek = |changes: &[S::Scalar; N]| {
             let slips: [S::Scalar; C] = array(|row| after(row, changes));
             let strike = solve(&in_regime, &array(|i| v[i] + changes[i]))?;
@@ -68,7 +69,8 @@ where
             }
             Some((strike, slips, lacks, is_done))
         };
-        // Slips that depend on each other are replaced by those of some motion.
+        // Slips may depend on each other. So changes of velocities are sought, which have slips of some
+        // motion. Newton's method gives the digits that steps leave, or finds what they do not.
         let mut changes = smooth;
         let mut turning = Turning::new();
         let (mut near, mut is_near) = (smooth, false);
@@ -87,8 +89,9 @@ where
         seek(&changes).map(|(strike, ..)| found(strike))
     }
 
-    /// Impulses that contacts and frictions can give, with the same changes as these of rows that depend on
-    /// each other. `after` are the velocities after the impact.
+    /// Impulses that contacts and frictions can give and that make the same changes of velocities as these,
+    /// which are those of rows that depend on each other. `after` are the velocities after the impact. `None`
+    /// where none are found.
     #[cold]
     fn possible(
         &self,
@@ -104,8 +107,8 @@ where
         self.shortest(regime, &drags, impulses, Sticking::ByImpulses)
     }
 
-    /// The changes that given impulses of contacts make, with the friction that they drive where it slips.
-    /// Slips in two directions have the directions of these velocities.
+    /// The generalized impulses of given impulses of contacts, with the friction that they drive where it
+    /// slips. Slips in two directions have their directions at the velocities `v`.
     fn given(
         &self,
         regime: &Regime<S::Scalar, C, W>,
@@ -123,6 +126,7 @@ where
     }
 
     /// The changes of velocities by the same impact on smooth contacts, whose slip gives a first direction.
+    /// `None` for a system without contacts.
     fn without_friction(
         &self,
         parts: &[Part; C],
@@ -146,8 +150,8 @@ where
         Some(equations.saddle.solve(&given, &wanted).0)
     }
 
-    /// The impulses of frictions that slip. They follow from the impulses of their contacts and from those
-    /// that are `given`.
+    /// The impulses with those of frictions that slip, which follow from the impulses of their contacts and
+    /// from those that are `given`. Slips in two directions have their directions at the velocities `after`.
     fn with_friction(
         &self,
         regime: &Regime<S::Scalar, C, W>,

@@ -78,7 +78,8 @@ where
     }
 
     /// Velocities with the smallest slip whose direction the motion knows, in the directions in which slips
-    /// begin. These are the directions of their accelerations under friction against them.
+    /// begin. These are the directions of their accelerations under friction against them. `None` where no
+    /// force drives a slip, or some slips have no accelerations.
     #[cold]
     pub(super) fn begun(
         &self,
@@ -113,8 +114,8 @@ where
             let (change, _) = held.saddle.solve(&[zero; N], &lack);
             Some(array(|i| v[i] + change[i]))
         };
-        // The rates of slips in these directions, and whether they have the directions. If nothing
-        // accelerates a slip, it takes the direction of the force that drives it.
+        // The rates of slips in the directions of these, and whether they are these. A slip that nothing
+        // accelerates stays as it is: at first it has the direction of the force that drives it.
         let growing = |slips: &[S::Scalar; C]| {
             let (balance, sizes) = self.balance(regime, &slipping(slips)?)?;
             let (mut grown, mut is_done) = (*slips, true);
@@ -155,8 +156,8 @@ where
         slipping(&newton(start, &units, growing).unwrap_or(slips))
     }
 
-    /// The time in which slips that begin grow to those of `velocities`. It is unknown if it is so long that
-    /// accelerations change meanwhile, or a contact that is open in the regime closes.
+    /// The time \[s] in which slips that begin grow to those of `velocities`. `None` where it is so long that
+    /// accelerations change meanwhile, or that a contact closes which is open in the regime.
     #[cold]
     pub(super) fn later(
         &self,
@@ -204,7 +205,7 @@ where
         self.gradients.get(row).map_or(num_traits::Zero::zero(), |gradient| extent(gradient, x))
     }
 
-    /// The change of the rate of a row by velocities.
+    /// The change of the rate of a row where the velocities become these.
     pub(super) fn change(&self, row: usize, velocities: &[S::Scalar; N]) -> S::Scalar {
         self.along(row, &array(|i| velocities[i] - self.state.v[i]))
     }

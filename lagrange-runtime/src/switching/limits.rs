@@ -19,13 +19,13 @@ where
         normal.map_or(coefficient, |normal| coefficient * entry(multipliers, normal).abs())
     }
 
-    /// Whether a friction has a limit of zero that does not change in the regime. It can hold nothing, so
-    /// that its slip decides about nothing.
+    /// Whether a friction has a limit of zero in both directions that does not change in the regime. It can
+    /// hold nothing, so that its slip decides about nothing.
     pub(super) fn is_frictionless(&self, row: usize) -> bool {
         let Some(Row::Friction { pair, .. }) = S::ROWS.get(row) else { return false };
         let first = pair.map_or(row, |other| row.min(other));
         let lasts = |along: &[Along; C]| along.get(first) == Some(&Along::Constant);
-        // A derivative by the limit is that of a friction.
+        // A limit of zero with derivatives counts as friction, since its derivatives are asked for.
         let is_zero = |number: S::Scalar| (0..S::Scalar::PARTS).all(|part| number.part(part).is_zero());
         lasts(&S::ALONG.fixed)
             && lasts(&S::BACKWARD)
@@ -34,7 +34,9 @@ where
 
     /// The regime in which a friction slips whose force has reached its limit in the present one. Both have
     /// the same accelerations and reactions here, so that the other rows need not be asked: what tells them
-    /// apart is the rounding error of the time at which the limit is reached. `None` where they differ.
+    /// apart is the rounding error of the time at which the limit is reached. `None` where they differ
+    /// because the friction holds more than it gives when it slips, and for a row that is no friction in one
+    /// direction, does not stick, or is not at its limit.
     pub(super) fn slipping(
         &self,
         present: &Regime<S::Scalar, C, W>,

@@ -33,20 +33,20 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     /// The time of that change. A slip in two directions that comes to rest does so after the piece, and one
     /// that begins is followed from a little later on.
     pub(super) switched: R,
-    /// The accelerations at the end of the way to it, and their rate on the way.
+    /// The accelerations at the end of the way from the piece to the state in `next`, and their rate on it.
     pub(super) way: [[R; N]; 2],
     /// Whether the piece is such a way, which no method has taken.
     pub(super) is_way: bool,
-    /// The contacts that bear since then because the motion has landed and they touch.
+    /// The contacts that bear since the last change of regime because the motion has landed and they touch.
     pub(super) landed: [bool; C],
     /// Whether the motion has to find its regime first.
     pub(super) is_fresh: bool,
-    /// Why it cannot go on.
+    /// Why it cannot go on; `None` if it can.
     pub(super) stuck: Option<Cause>,
     /// The guard that ended the piece before, which is zero where the next one starts.
     pub(super) fired: Option<Guard>,
     pub(super) scales: Scales<R, C>,
-    /// Changes of each kink since time has passed.
+    /// Changes of the side of each kink since time has last passed, beyond rounding.
     pub(super) flips: [usize; W],
     /// Changes of the regime since then.
     pub(super) changes: usize,
@@ -92,7 +92,8 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         self.is_way
     }
 
-    /// The state before the change of regime that ends the piece, and that at its time after it.
+    /// The state before the change of regime that ends the piece, and the state at the time of the change,
+    /// after it; `None` if no change ends the piece.
     pub(super) fn switch(&self) -> Option<(State<R, N>, State<R, N>)> {
         self.next.filter(|_| !self.is_cut).map(|_| (self.end, self.switched()))
     }
@@ -102,7 +103,8 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         if self.after().t == self.switched { self.after() } else { self.on_way(self.switched) }
     }
 
-    /// The state at a time where the regime changes, after that, or where the next piece begins.
+    /// The state at time `t` if the regime changes there or the next piece begins there: the one after the
+    /// change. `None` at other times.
     pub(super) fn beside(&self, t: R) -> Option<State<R, N>> {
         let after = self.after();
         if t == after.t {
@@ -160,7 +162,7 @@ where
     }
 }
 
-/// Moves a state by a short time.
+/// Moves the coordinates and velocities of a state by a short time \[s], with constant accelerations.
 pub(super) fn shift<R: Real, const N: usize>(state: &mut State<R, N>, accelerations: &[R; N], dt: R) {
     // Where a slip in two directions has come to rest, its regime has no accelerations.
     if dt == R::zero() || !accelerations.iter().all(|a| a.is_finite()) {

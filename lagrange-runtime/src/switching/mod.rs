@@ -3,7 +3,7 @@
 //! In one *regime* the equations are smooth. A regime says which rows are constraints at present (a closed
 //! contact, a sticking friction), in which direction a friction slips, and on which side of each kink the
 //! motion is. Rows that are not active stay in the saddle-point system and have no effect. So one piece of
-//! generated code serves all regimes: code for each would be exponential.
+//! generated code serves all regimes: code for each of them would grow exponentially with the rows.
 //!
 //! Brogliato, *Nonsmooth Mechanics*, 3rd ed.; Glocker, *Set-Valued Force Laws*; Acary and Brogliato,
 //! *Numerical Methods for Nonsmooth Dynamical Systems*.
@@ -60,15 +60,16 @@ pub enum Row {
     Bilateral,
     /// A gap f(q, t) ≥ 0 with a reaction λ ≥ 0.
     Unilateral,
-    /// A slip velocity that is zero while the friction sticks, and its multiplier the friction force.
+    /// A slip velocity. While the friction sticks, it is zero and its multiplier is the friction force.
     Friction {
-        /// The row whose reaction, or the load, limits it. Without one the limit is given.
+        /// The row of the reaction or load that limits the friction. `None` if its limit is given.
         normal: Option<usize>,
-        /// The other component of a slip in two directions. The first of the two carries the direction.
+        /// The row of the other component of a slip in two directions. [`Regime::slip`] has one entry for
+        /// both, in the first of the two rows.
         pair: Option<usize>,
     },
-    /// No constraint: the size of a force that several reactions make together and that limits friction, or a
-    /// term of that size. Its multiplier follows from those of the others.
+    /// No constraint. Its multiplier is the size of a force that several reactions make together and that
+    /// limits friction, or a sum that such a force is made of. It follows from the multipliers of the others.
     Load,
 }
 
@@ -77,13 +78,13 @@ pub enum Row {
 pub struct Regime<R, const C: usize, const W: usize> {
     /// Which rows are constraints.
     pub active: [bool; C],
-    /// The sign of the slip velocity of a friction that slips, zero of one that does not. For a slip in two
-    /// directions it stands in the row of the first: one if it slips.
+    /// The sign of the slip velocity of a friction that slips, zero of one that does not. A slip in two
+    /// directions has one in the first of its rows if it slips, and always zero in the other.
     pub slip: [R; C],
     /// The sign of a reaction that limits friction: one for a contact, either sign for a bilateral
     /// constraint.
     pub side: [R; C],
-    /// On which side of its kink each switching function is: one or minus one.
+    /// The side of zero on which each switching function is: one or minus one.
     pub kinks: [R; W],
 }
 
@@ -94,7 +95,8 @@ pub struct Laws<R, const C: usize, const W: usize> {
     pub rows: Residuals<R, C>,
     /// Coefficients of restitution of unilateral rows.
     pub restitution: [R; C],
-    /// Coefficients of friction while slipping, or the force itself \[N] where its size is given.
+    /// Coefficients of friction while slipping. Where a limit is given, it stands here itself: a force \[N],
+    /// or for an angular slip a torque \[N m].
     pub kinetic: [R; C],
     /// The same while sticking: no less than the kinetic ones.
     pub fixed: [R; C],
@@ -113,7 +115,8 @@ pub struct Coefficients<R, const C: usize> {
     pub fixed: [R; C],
 }
 
-/// The functions whose zeros end a regime, as they are in that regime: smooth ones.
+/// The functions that the guards of a regime are made of, beside reactions; a guard ends the regime where it
+/// falls through zero. They are smooth in the regime, as kinks are replaced by their sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Functions<T, const C: usize, const W: usize> {
     /// Gaps of contacts, slip velocities of frictions.
@@ -135,7 +138,7 @@ pub enum Along {
     Unknown,
 }
 
-/// The functions of a regime that are wanted. The others are zero.
+/// The functions of a regime that are wanted. The others may have any value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wanted<const C: usize, const W: usize> {
     /// Gaps and slip velocities.
@@ -185,8 +188,8 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         u: &[Self::Scalar; K],
     ) -> Laws<Self::Scalar, C, W>;
 
-    /// The functions whose zeros end a regime, over numbers of another kind: values with their rounding
-    /// errors, or polynomials in time. `number` makes one of a parameter.
+    /// The functions that the guards of a regime are made of, over any numbers: those of the system, or
+    /// values with bounds of their rounding errors. `number` makes one of a parameter.
     fn functions_in<T: Real>(
         in_regime: &Self::InRegime,
         number: impl Fn(Self::Scalar) -> T,
@@ -234,8 +237,8 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
     }
 
     /// Visits momenta and rates of constraints that have two values where a switching function is zero: the
-    /// number of the function, the gain where it passes zero upwards, and Σ |summands| of the momentum or
-    /// rate.
+    /// number of the function, the gain of the momentum or rate where the function passes zero upwards, and
+    /// Σ |summands| of the momentum or rate.
     fn corners_at(
         &self,
         _t: Self::Scalar,
@@ -247,7 +250,7 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
     }
 
     /// Visits gaps and constraints that have two values where a switching function is zero: the number of the
-    /// function, the row, and the gain where the function passes zero upwards.
+    /// function, the row, and the gain of the gap or constraint where the function passes zero upwards.
     fn breaks_at(
         &self,
         _t: Self::Scalar,
@@ -258,7 +261,7 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
     ) {
     }
 
-    /// The equations of a regime at a state, factored; `None` for a system without contacts.
+    /// The equations of a regime at a state, factored; `None` for a system without contacts and friction.
     fn equations_in(
         _in_regime: &Self::InRegime,
         _t: Self::Scalar,
@@ -269,7 +272,7 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         None
     }
 
-    /// The part of [`equations_in`](Self::equations_in) that needs no factors.
+    /// The part of [`equations_in`](Self::equations_in) that needs no factors; `None` likewise.
     fn rows_in(
         in_regime: &Self::InRegime,
         t: Self::Scalar,

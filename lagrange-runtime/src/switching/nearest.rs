@@ -10,7 +10,8 @@ use crate::linear::Lu;
 use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 
-/// The y of the shortest x; `None` where no x is that near. Rows of zeros demand nothing.
+/// The y of the shortest x. `None` where there is no x, or none nearer than some 1/√[`rounding`] times the
+/// distance of the furthest bound. Rows of zeros demand nothing.
 pub(super) fn nearest<R: Real, const C: usize>(rows: &[[R; C]; C], bounds: &[R; C]) -> Option<[R; C]> {
     let (zero, one) = (R::zero(), R::one());
     // Rows of unit length, and the largest of the bounds for a unit.
@@ -95,8 +96,13 @@ mod tests {
     }
 
     #[test]
-    fn a_bound_that_another_one_hides_leaves_again() {
-        // The first row lacks most, and the others meet it beyond its zero.
+    fn a_bound_that_others_hide_leaves_again() {
+        // Of unit rows the first lacks most and enters at once. Where the others meet, it lacks nothing.
+        close([[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, -1.0, 0.0]], [3.0, 4.0, 4.0], [4.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn a_bound_that_others_meet_never_enters() {
         close(
             [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 1.0]],
             [1.0, 4.0, 4.0],

@@ -15,12 +15,13 @@ use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real};
 use crate::system::state::State;
 
-/// The reactions along a step.
+/// How well the reactions along a step are known.
 pub(super) struct Borne<R, const N: usize, const C: usize> {
     /// The effect of rounding errors of the forces on velocities until the end of the step. An acceleration
     /// may be a small difference of forces, as where a slip begins, so that its own size tells nothing.
     pub(super) roundings: [R; N],
-    /// The errors of the polynomials of reactions: rounding and truncation.
+    /// The errors of the polynomials of reactions, rounding and truncation; zero where no guard is made of
+    /// reactions.
     pub(super) errors: [R; C],
     /// Whether these converge on the whole of the step as the motion does, to half of the digits of its
     /// tolerance.
@@ -41,7 +42,7 @@ impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
         Self { rows: gradients.each(|row| array(|i| row[i] * units[i])), units }
     }
 
-    /// A row that drives friction may affect any coordinate through it.
+    /// The coordinates that each row affects. A row that `drives` friction may affect any of them through it.
     fn reach(&self, drives: impl Fn(usize) -> bool) -> Reach<N, C> {
         let mut reach = array(|row| {
             let drives = drives(row);
@@ -144,7 +145,8 @@ where
         array(|i| (entry(forces, i).abs() + entry(&given, i)) * entry(units, i))
     }
 
-    /// The multipliers at a state, and the forces at their rows that they are differences of.
+    /// The multipliers at a state, and the forces at their rows that they are differences of. Multipliers are
+    /// NaN where the equations have no solution.
     pub(super) fn multipliers(&self, state: &State<S::Scalar, N>) -> [[S::Scalar; C]; 2] {
         let zero: S::Scalar = num_traits::Zero::zero();
         let Some(equations) = self.equations(state) else {
@@ -158,7 +160,7 @@ where
         [multipliers, sizes]
     }
 
-    /// The reactions along a step.
+    /// How well the reactions along a step are known.
     pub(super) fn borne(&self, course: &Course<'_, S::Scalar, N>) -> Borne<S::Scalar, N, C> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let mut borne = Borne { roundings: [zero; N], errors: [zero; C], is_known: true };

@@ -62,9 +62,10 @@ where
         }
     }
 
-    /// Whether the motion does not notice that velocities lose what they contribute to the rate of a row.
-    /// Where its gradient nearly vanishes, as that of the place of a slider in a dead centre, all of the
-    /// velocity contributes nearly nothing, while it accelerates the row by γ.
+    /// Whether the motion does not notice that velocities lose what they contribute to the rate of a row. The
+    /// loss is measured by its part of γ, the acceleration of the row that velocities make. Where the
+    /// gradient nearly vanishes, as that of the place of a slider in a dead centre, all of the velocity
+    /// contributes nearly nothing to the rate, and all of γ.
     fn is_noise(&self, row: usize, rate: S::Scalar, sizes: &Sizes<S::Scalar, N>, v: &[S::Scalar; N]) -> bool {
         let zero: S::Scalar = num_traits::Zero::zero();
         let Some(gradient) = self.gradients.get(row) else { return false };
@@ -131,8 +132,8 @@ where
 
     /// The velocities with those contacts closed that an impact would open for a negligible time only, and
     /// the impulses that close them: those of a plastic impact with the velocities at which they would close.
-    /// `None` where no contact is of this kind. The scene is one without an impact; the motion goes on with
-    /// these accelerations.
+    /// `None` where no contact is of this kind, or that impact has no solution. The scene is one without an
+    /// impact; the motion goes on with these accelerations.
     pub(super) fn gathered(
         &self,
         accelerations: &[S::Scalar; N],
@@ -168,7 +169,8 @@ where
             let holds = match kind {
                 Row::Bilateral | Row::Load => false,
                 Row::Unilateral => slow[row] || self.status[row] == Status::Touches,
-                // Friction that sticks at one of them goes on to stick.
+                // Friction at rest in a contact that touches goes on to stick. That of the slow ones acts in
+                // the impact below.
                 Row::Friction { normal: Some(_), .. } => self.status[row] == Status::Rests,
                 Row::Friction { normal: None, .. } => false,
             };

@@ -99,11 +99,17 @@ where
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &later;
             }
-            // A body that begins or lands rests on all its feet: each contact that touches bears, if only
-            // nothing.
+            // A body that begins or lands rests on all its feet: each contact that touches is closed, even if
+            // it bears nothing.
             let lands = self.memory.is_fresh || known.settled;
             let from = if lands { scene.touching(present) } else { *present };
             let mut choice = scene.choose(&from, known.fired)?;
+            if S::Scalar::PARTS > 1
+                && self.memory.is_fresh
+                && let Some(cause) = scene.touched_by_chance(&choice, self.limits.relative)
+            {
+                return Err(cause);
+            }
             if let Some((v, more)) = scene.gathered(&choice.accelerations, scales, self.limits.relative) {
                 if S::Scalar::PARTS > 1 {
                     return Err(scene.accumulation());
@@ -129,7 +135,7 @@ where
                 state.t += grown.later;
                 state.q = array(|i| state.q[i] + gain_q[i]);
                 state.v = array(|i| state.v[i] + gain_v[i]);
-                // Where the time of the event varies, that at the end of the way does.
+                // Where the time of the event varies, so does the end of the way.
                 shift(state, &grown.way[0], late);
                 self.memory.way = grown.way;
                 choice.regime = grown.regime;
@@ -269,7 +275,7 @@ where
         }
     }
 
-    /// A gap of an open contact that is negative by more than a start may penetrate.
+    /// The cause of an error where the gap of an open contact is negative by more than a start may penetrate.
     fn missed(&self, laws: &super::Laws<S::Scalar, C, W>) -> Option<Cause> {
         let share = S::Scalar::from_f64(1.0 / 16.0) * S::Scalar::epsilon().sqrt();
         (0..C).find_map(|row| {
@@ -284,7 +290,8 @@ where
         })
     }
 
-    /// Whether more time has passed than rounding. If so, the changes before it are forgotten.
+    /// Whether more time has passed than rounding hides. If so, the changes of regime before it are
+    /// forgotten.
     fn passed(&mut self, from: S::Scalar, to: S::Scalar) -> bool {
         let resolution = S::Scalar::from_f64(16.0) * S::Scalar::epsilon() * from.abs();
         let has_passed = (to - from).abs() > resolution;
@@ -309,7 +316,8 @@ where
                 fired = Some(row);
             }
         }
-        // If a slip in two directions has turned by a right angle, the step goes on from there.
+        // A slip in two directions that has turned by a right angle has not ended: a new piece begins, with
+        // the direction that the slip has there.
         let mut regime_ends = true;
         if let Some(row) = fired
             && let Some(&Row::Friction { pair: Some(other), .. }) = S::ROWS.get(row)

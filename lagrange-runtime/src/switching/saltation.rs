@@ -8,10 +8,11 @@
 //! Discontinuous Righthand Sides*; Leine and Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical
 //! Systems*, chapter 7), which is never written down.
 //!
-//! There are no derivatives where ġ is zero, where two guards are zero at once, and where a contact that
-//! touches by chance has a part in an impact. A motion is known to its tolerance only. So there are none
+//! There are no derivatives where ġ is zero, where two guards are zero at once, where a contact that touches
+//! by chance has a part in an impact, and where a motion begins at a contact that bears nothing. A motion is known to its tolerance only. So there are none
 //! either where that leaves no digit of ġ at the zero, or does not tell which of two zeros comes first.
 
+use super::choice::Choice;
 use super::guards::{Guard, Guards};
 use super::run::Run;
 use super::scene::{Scene, above, most, rounding};
@@ -36,7 +37,7 @@ struct Crossing<R> {
 }
 
 impl<R: Real> Crossing<R> {
-    /// The delay of its zero, without value.
+    /// The delay of its zero, a time without value.
     fn later(&self) -> R {
         (self.value.part(0) - self.value) / self.rate
     }
@@ -54,7 +55,9 @@ where
     M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
 {
     /// The delay of a guard, as a time without value, at the state where it has fired with these
-    /// accelerations. `switched` gives the state after the switch.
+    /// accelerations. `switched` gives the state after the switch. Fails with `Grazes` where the rate of the
+    /// guard is not known, and with `SwitchesCoincide` where another guard fires at the same time, unless
+    /// nothing jumps: then the delay is zero.
     #[cold]
     pub(super) fn varied(
         &mut self,
@@ -87,8 +90,8 @@ where
         if pairs.into_iter().all(|(&x, &y)| stays(x, y)) { Ok(num_traits::Zero::zero()) } else { Err(doubt) }
     }
 
-    /// The delay of a guard, if the motion goes on from there. A load has no direction where it is zero, so
-    /// its slopes are made of rounding errors.
+    /// The delay of a guard. Fails with `Grazes` for that of a load: a load has no direction where it is
+    /// zero, so its slopes are made of rounding errors.
     fn directed(&self, guard: Guard, later: S::Scalar) -> Result<S::Scalar, Cause> {
         match guard {
             Guard::Row(row) if S::ROWS.get(row) == Some(&Row::Load) => {
@@ -153,7 +156,8 @@ where
         }
     }
 
-    /// The state and the accelerations by some time before the end of the piece.
+    /// The state and the accelerations at a time `by` \[s] before the end of the piece, or at its start if it
+    /// is shorter.
     fn earlier(
         &mut self,
         state: &State<S::Scalar, N>,
@@ -186,8 +190,8 @@ where
         above(crossing.rate.abs(), (crossing.rate - before).abs())
     }
 
-    /// Another guard that falls through zero at the same time, as far as times are known, and whose zero
-    /// moves otherwise when the start varies.
+    /// `SwitchesCoincide`, if another guard falls through zero at the same time, as far as times are known,
+    /// and its zero moves otherwise when the start varies.
     fn coincidence(
         &self,
         guard: Guard,
@@ -219,7 +223,8 @@ where
 {
     /// Why an impact with these impulses has no derivatives: a contact beside the one that has fired has a
     /// part in it, and its gap varies. In varied motions that contact is open at the time of the impact, and
-    /// is struck later, if at all. The gap of a contact that holds does not vary.
+    /// is struck later, if at all. The gap of a contact that holds does not vary. `None` where the impact has
+    /// derivatives.
     #[cold]
     pub(super) fn struck_together(
         &self,
@@ -227,28 +232,52 @@ where
         impulses: &[S::Scalar; C],
         tolerance: S::Scalar,
     ) -> Option<Cause> {
-        let part = most(tolerance, rounding());
-        let varies = |row: usize| {
-            let gap = self.laws.rows.positions[row];
-            (1..S::Scalar::PARTS).any(|slope| {
-                let terms = self.gradients[row].iter().zip(&self.state.q);
-                let size = terms.fold(num_traits::Zero::zero(), |size: S::Scalar, (&entry, q)| {
-                    size + (entry.part(0) * q.part(slope)).abs()
-                });
-                above(gap.part(slope).abs(), part * size)
-            })
-        };
         let is_struck = |row: &usize| {
             S::ROWS[*row] == Row::Unilateral
                 && fired != Some(*row)
                 && impulses[*row].part(0).abs().is_positive()
-                && varies(*row)
+                && self.varies(*row, tolerance)[0]
         };
         let other = S::NAMES.constraint((0..C).find(is_struck)?);
         Some(match fired {
             Some(fired) => Cause::SwitchesCoincide { name: S::NAMES.constraint(fired), other },
             None => Cause::SwitchesCoincide { name: other, other: Name::NONE },
         })
+    }
+
+    /// Why a motion that begins with this choice has no derivatives: a contact that bears nothing touches, and
+    /// its gap or its rate varies. Varied motions open it or press on it. `None` where there is no such
+    /// contact.
+    #[cold]
+    pub(super) fn touched_by_chance(
+        &self,
+        choice: &Choice<S::Scalar, N, C, W>,
+        tolerance: S::Scalar,
+    ) -> Option<Cause> {
+        let bears_nothing = |row: usize| {
+            let least = rounding::<S::Scalar>() * self.borne(row, &choice.sizes.forces);
+            S::ROWS[row] == Row::Unilateral
+                && choice.regime.active[row]
+                && !above(choice.multipliers[row].part(0), least.part(0))
+        };
+        let switch = (0..C).find(|&row| bears_nothing(row) && self.varies(row, tolerance).contains(&true))?;
+        Some(Cause::Grazes { switch, name: S::NAMES.constraint(switch) })
+    }
+
+    /// Whether a gap and its rate vary, by more than this tolerance.
+    fn varies(&self, row: usize, tolerance: S::Scalar) -> [bool; 2] {
+        let part = most(tolerance, rounding());
+        let rows = &self.laws.rows;
+        let varies = |value: S::Scalar, numbers: &[S::Scalar; N]| {
+            (1..S::Scalar::PARTS).any(|slope| {
+                let terms = self.gradients[row].iter().zip(numbers);
+                let size = terms.fold(num_traits::Zero::zero(), |size: S::Scalar, (&entry, number)| {
+                    size + (entry.part(0) * number.part(slope)).abs()
+                });
+                above(value.part(slope).abs(), part * size)
+            })
+        };
+        [varies(rows.positions[row], &self.state.q), varies(rows.rates[row], &self.state.v)]
     }
 }
 

@@ -26,7 +26,7 @@ pub(super) fn most<R: Real>(a: R, b: R) -> R {
     if above(a, b) { a } else { b }
 }
 
-/// The number of a row; zero of none.
+/// The number of a row; zero if there is no such row.
 pub(super) fn entry<R: Real, const C: usize>(numbers: &[R; C], row: usize) -> R {
     numbers.get(row).copied().unwrap_or(R::zero())
 }
@@ -51,11 +51,11 @@ pub(super) fn extent<R: Real, const N: usize>(a: &[R; N], x: &[R; N]) -> R {
 /// The scales that a motion has shown so far, since a number that is zero has no scale of its own.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scales<R, const C: usize> {
-    /// The largest summands of gaps.
+    /// The largest Σ |summands| of gaps.
     pub(super) gaps: [R; C],
-    /// The largest summands of rates and slip velocities.
+    /// The largest Σ |summands| of rates and slip velocities.
     pub(super) speeds: [R; C],
-    /// The largest speeds of impacts.
+    /// The largest speeds at which contacts have closed in impacts.
     pub(super) impacts: [R; C],
     /// The largest reactions where regimes began.
     pub(super) reactions: [R; C],
@@ -107,7 +107,7 @@ pub(super) fn against<R: Real, const C: usize>(
 pub(super) enum Status {
     /// A constraint that always holds.
     Holds,
-    /// A gap that is open or opens; friction of a contact that is open.
+    /// A gap that is open or opens; friction of such a contact, or friction that can hold nothing.
     Apart,
     /// A gap that is zero and closes: an impact.
     Meets,
@@ -135,7 +135,8 @@ pub(super) struct Known<const C: usize> {
     pub(super) closed: [bool; C],
     /// The row whose guard has led here: its gap or its slip velocity is zero.
     pub(super) fired: Option<usize>,
-    /// Rates of gaps that are zero, and slips, that count as zero, likewise.
+    /// Rows whose rate or slip counts as zero whatever its rounding errors are: the rate of a gap only if the
+    /// gap is zero.
     pub(super) rested: [bool; C],
     /// Whether impacts are over: the closing velocities that are left are rounding errors.
     pub(super) settled: bool,
@@ -208,7 +209,8 @@ where
             scene.is_closed[row] = scene.closes(row, scales, known);
             scene.status[row] = scene.status_of(row, known);
         }
-        // A friction is that of a contact that touches.
+        // Friction acts only in a contact that touches, and only if its limit is not zero in all of the
+        // regime.
         let contacts = scene.status;
         let is_none: [bool; C] = array(|row| scene.is_frictionless(row));
         for ((status, row), is_none) in scene.status.iter_mut().zip(S::ROWS).zip(is_none) {
@@ -269,8 +271,8 @@ where
         }
     }
 
-    /// Removes velocities that contacts have stopped. The remainder has no digits, and no series could find
-    /// its scale.
+    /// Removes velocities that contacts have stopped: those that are rounding errors of the fastest one of
+    /// this scene. The remainder has no digits, and no series could find its scale.
     pub(super) fn still(&self, v: &mut [S::Scalar; N]) {
         let zero: S::Scalar = num_traits::Zero::zero();
         let fastest = self.units.iter().zip(&self.state.v).fold(zero, |fastest, (&unit, &v)| {
@@ -285,7 +287,8 @@ where
     }
 
     /// Removes coordinates that a projection has made of nothing: those that it has changed by all that they
-    /// are, and that no row would notice. The remainder has no digits, like that of a velocity.
+    /// are, and that no active row of the regime would notice. The remainder has no digits, like that of a
+    /// velocity.
     pub(super) fn place(
         &self,
         before: &[S::Scalar; N],

@@ -83,9 +83,10 @@ where
         })
     }
 
-    /// The shortest of all possible reactions that give the same motion as these, or of all impulses in an
-    /// impact. `drags` are the frictions that slip, per unit of the reactions that drive them. `None` where
-    /// there are loads: they are sizes of forces, so the possible reactions are no convex set.
+    /// The shortest of all possible reactions that give the same motion as the `known` ones, or of all
+    /// impulses in an impact. `drags` are the frictions that slip, per unit of the reactions that drive them.
+    /// `None` where none are possible or the search does not end, and where there are loads: they are sizes
+    /// of forces, so the possible reactions are no convex set.
     #[cold]
     pub(super) fn shortest(
         &self,
@@ -150,8 +151,9 @@ where
                     _ => found[row],
                 }));
             }
-            // The cone of a friction may be cut so flatly that these directions go to and fro. The cut where
-            // the reactions have been found is Newton's method, which comes from outside.
+            // The cone of a friction may be cut so flatly that the directions below go to and fro. Later
+            // turns cut it in the direction of the reactions that the last turn has found. That is Newton's
+            // method, which comes from outside.
             if turn >= TURNS {
                 toward = found;
                 continue;
@@ -190,7 +192,8 @@ where
     }
 
     /// The limit of a row: all multipliers whose product with the first is no less than the second. A
-    /// friction has the direction that it has among these multipliers.
+    /// friction has the direction that it has among these multipliers. `None` for a row without a limit, for
+    /// a friction without a force, and for the second row of a pair.
     fn cut(
         &self,
         row: usize,

@@ -119,7 +119,7 @@ impl<I: System<N, K> + Copy, const N: usize, const K: usize> System<N, K> for In
     }
 }
 
-// Messages about systems without a series name those of users.
+// Compiler messages about a system without a series are to name the user's, not this one.
 #[diagnostic::do_not_recommend]
 impl<I: Smooth<N, K> + Copy, const N: usize, const K: usize> Smooth<N, K> for InRegimeSince<I, I::Scalar> {
     const STEEP: bool = I::STEEP;

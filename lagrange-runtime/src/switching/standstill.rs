@@ -22,7 +22,8 @@ where
         let memory = &mut *self.memory;
         let (start, end) = (memory.start, memory.end);
         if memory.is_way || M::end(&memory.inner).t != end.t || M::start(&memory.inner).t != start.t {
-            // The piece has been examined before.
+            // A way between regimes is no rest. Another piece that is not the last step of the method has
+            // been examined before.
             return !memory.is_way;
         }
         let middle = S::Scalar::from_f64(0.5) * (start.t + end.t);
@@ -90,7 +91,8 @@ where
     }
 }
 
-/// Whether nothing moves, up to the rounding errors of the forces that hold it.
+/// Whether nothing moves from one state to another at another time: velocities are zero, and coordinates
+/// change by no more than the rounding errors of the forces that hold the system make them.
 pub(super) fn is_at_rest<R: Real, const N: usize>(start: &State<R, N>, end: &State<R, N>) -> bool {
     let are_still = [start, end].iter().all(|state| state.v.iter().all(|&v| v == R::zero()));
     let ulps = R::from_f64(4.0) * R::epsilon();

@@ -1,8 +1,9 @@
 //! Fixed steps through switches: [`Jet`](crate::Jet) of a system with contacts, friction or kinks.
 //!
-//! A step is one Taylor series. If a guard falls through zero on it, the step is cut there, the next regime
-//! is chosen, and a series of that regime goes on to the end of the step. So the state after a step is one of
-//! its regime, and its accuracy that of the order.
+//! A step is one Taylor series, or a few where a slip in two directions has just begun or constraints ask for
+//! shorter ones. If a guard falls through zero on it, the step is cut there, the next regime is chosen, and a
+//! series of that regime goes on to the end of the step. So the state after a step belongs to one regime, and
+//! its accuracy is that of the order.
 
 use super::run::Run;
 use super::scene::{above, entry};
@@ -21,18 +22,21 @@ use crate::system::method::{Adaptive, FixedStep};
 use crate::system::smooth::Smooth;
 use crate::system::state::State;
 
-/// The most series of one step.
+/// The most parts of one step: series that are tried, changes of regime without time between them, and
+/// further parts of a series on which a guard is examined.
 const PIECES: u64 = 256;
 
 /// The memory of fixed steps through switches.
 #[derive(Clone, Copy, Debug)]
 pub struct StepsMemory<H, R, const K: usize> {
     motion: H,
-    /// The step before, with the inputs that were held in it. `None` where the motion has not begun.
+    /// The length \[s] of the step before, and the inputs that were held in it. `None` before the first step
+    /// and after one that was not taken.
     last: Option<(R, [R; K])>,
 }
 
-/// The memory of a motion of `S` in pieces of order `ORDER`, whose time is counted from the last step on.
+/// The memory of a motion of `S` in pieces of order `ORDER`, whose time is counted from the start of the last
+/// step on.
 type Motion<S, const N: usize, const K: usize, const C: usize, const W: usize, const ORDER: usize> =
     HybridMemory<
         InRegimeSince<<S as Switching<N, K, C, W>>::InRegime, <S as System<N, K>>::Scalar>,

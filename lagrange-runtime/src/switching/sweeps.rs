@@ -18,7 +18,7 @@ use crate::system::state::State;
 /// The most sweeps.
 const SWEEPS: usize = 1000;
 
-/// The part of its limit above which a friction slips.
+/// The part of its limit from which on a friction slips: sweeps have found it to a few digits only.
 const AT_LIMIT: f64 = 1.0 - 1e-6;
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>

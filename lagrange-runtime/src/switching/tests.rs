@@ -63,7 +63,7 @@ struct InRegime<T, const N: usize, const C: usize, const W: usize> {
 type Motion<'a, T, const N: usize, const C: usize, const W: usize> =
     Simulation<'a, Model<T, N, C, W>, Held<f64, 0>, Hybrid<Dop853, C, W>, N, 0>;
 
-/// Σ aᵢ xᵢ and Σ |aᵢ xᵢ|.
+/// b + Σ aᵢ xᵢ and |b| + Σ |aᵢ xᵢ|, with b = `more`.
 fn sums<const N: usize>(a: &[f64; N], x: &[f64; N], more: f64) -> (f64, f64) {
     a.iter().zip(x).fold((more, more.abs()), |(sum, size), (a, x)| (sum + a * x, size + (a * x).abs()))
 }

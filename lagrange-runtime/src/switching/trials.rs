@@ -92,7 +92,7 @@ pub(super) fn combinations<const C: usize>(options: &[Options; C]) -> usize {
     options.iter().map(count).fold(1, |total: usize, count| total.saturating_mul(count).min(COMBINATIONS))
 }
 
-/// The changes that a change of each row is: a contact that opens or closes takes its frictions along.
+/// How many changes a change of each row counts as: a contact that opens or closes takes its frictions along.
 pub(super) fn changes<const C: usize>(rows: &[Row; C]) -> [usize; C] {
     array(|row| {
         // A friction in two directions is one, which its first row stands for.
@@ -105,7 +105,8 @@ pub(super) fn changes<const C: usize>(rows: &[Row; C]) -> [usize; C] {
     })
 }
 
-/// All combinations, those with the fewest changes first, until `visit` returns true.
+/// All combinations, those with the fewest changes first, until `visit` returns true. Of more than
+/// [`COMBINATIONS`] so many are visited: in these the last rows keep their first activity.
 pub(super) fn combine<const C: usize>(
     options: &[Options; C],
     weights: &[usize; C],

@@ -2,9 +2,12 @@
 //!
 //! Friction points against the slip, and the slip follows from friction: x = F(x / |x|) with the slip x, or
 //! its rate where it begins. That is a monotone equation, but plain iteration overshoots where friction is
-//! strong and the slip is slow. Steps of the length that the last change suggests (J. Barzilai, J. M.
-//! Borwein, "Two-point step size gradient methods", IMA J. Numer. Anal. 8, 1988) are secants along one
-//! direction.
+//! strong and the slip is slow. [`Turning`] takes steps of the length that the last change suggests (J.
+//! Barzilai, J. M. Borwein, "Two-point step size gradient methods", IMA J. Numer. Anal. 8, 1988): secants
+//! along one direction, at the cost of one F each.
+//!
+//! [`newton`] is Newton's method with derivatives by differences. It finds what these steps do not find in
+//! time, and gives impulses all their digits.
 
 use super::Row;
 use super::scene::{above, entry, most, put};
@@ -26,7 +29,7 @@ impl<R: Real, const C: usize> Turning<R, C> {
         Self { last: None }
     }
 
-    /// The share of their lacks by which some slips are to change.
+    /// The share of their lacks F − x by which the slips `x` are to change; a quarter in the first step.
     pub(super) fn share(&mut self, x: &[R; C], lack: &[R; C]) -> R {
         let mut share = R::from_f64(0.25);
         if let Some((before, lacked)) = self.last {
@@ -52,7 +55,9 @@ impl<R: Real, const C: usize> Turning<R, C> {
 const LEAST_SHARE: f64 = 1.0 / 1024.0;
 
 /// Newton's method for x = F(x), with derivatives by differences. `image` gives F and whether x is as close
-/// to it as can be. `None` where no step leads nearer: slips that come to rest have no direction.
+/// to it as can be. `units` are those of the components of x; F is not varied by a component whose unit is
+/// zero. `None` where no step leads nearer, since slips that come to rest have no direction, where F or a
+/// step has no value, and where [`TURNS`] steps do not end.
 #[cold]
 pub(super) fn newton<R: Real, const N: usize>(
     start: [R; N],
@@ -66,8 +71,8 @@ pub(super) fn newton<R: Real, const N: usize>(
     };
     let apart = |x: &[R; N], y: &[R; N]| -> [R; N] { array(|i| y[i] - x[i]) };
     let (mut x, (mut reached, mut is_done)) = (start, image(&start)?);
-    // The step after the last one gives all digits. Derivatives follow one step behind, with those of F
-    // alone, which differences give to half of all digits.
+    // One more step gives values all their digits. Derivatives follow one step behind: differences give the
+    // matrix to half of all digits, so each step gives derivatives that many more.
     let mut more = if R::PARTS > 1 { 2 } else { 1 };
     for _ in 0..TURNS {
         if is_done {

@@ -160,8 +160,8 @@ pub enum Cause {
         /// Its name.
         name: Name,
     },
-    /// A motion with derivatives meets a switch without speed, so that it has none: a start beside this one
-    /// passes by.
+    /// A motion with derivatives meets a switch without speed, or begins at a contact that touches and bears
+    /// nothing. So it has none: a start beside this one passes by.
     Grazes {
         /// Index of the constraint or kink.
         switch: usize,

@@ -62,6 +62,41 @@ fn friction_slides_through_both_phases() {
     all_close([impulses.floor, impulses.slip], [1.5 / 2.65, -0.15 / 2.65], 1e-12);
 }
 
+/// A particle on a floor that is the smoother the faster it slides.
+struct Skater;
+
+#[lagrangian(coordinates = [x, y])]
+impl Skater {
+    #[point(mass = 2.0)]
+    fn particle(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[unilateral(restitution = 0.5, law = poisson)]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        q.y
+    }
+
+    fn roughness(&self, v: &Velocities) -> f64 {
+        0.4 / (1.0 + v.x * v.x)
+    }
+
+    #[friction(coefficient = roughness, normal = floor)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+}
+
+#[test]
+fn coefficients_in_both_phases_are_those_before_the_impact() {
+    let start = State::new([0.0, 1.0], [3.0, -10.0]);
+    let mut motion = Skater.simulate(start).with_tolerance(TIGHT);
+    let impact = motion.advance_to_switch(1.0).unwrap().unwrap();
+    all_close(impact.state.v, [3.0 - 0.04 * 15.0, 5.0], 1e-13);
+    let impulses = motion.impulses();
+    all_close([impulses.floor, impulses.slip], [30.0, -1.2], 1e-13);
+}
+
 /// Three balls in a row that touch; the first pair is plastic and the second elastic.
 struct Balls;
 

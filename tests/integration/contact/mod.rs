@@ -5,6 +5,7 @@ mod bearings;
 mod breakaway;
 mod coincident;
 mod corners;
+mod dead_centres;
 mod directions;
 mod edges;
 mod feet;

@@ -1,4 +1,4 @@
-//! The polynomial of a guard along a step, of those of functions and reactions.
+//! The polynomial of a guard along a step, made of those of functions and reactions.
 
 use super::super::course::Course;
 use super::super::guards::{Guard, Guards, Parts};
@@ -83,8 +83,8 @@ where
     }
 
     /// The side of zero on which a guard starts, whatever its polynomial says. The guard that has fired is
-    /// zero, and so is a gap or a reaction with which a regime begins: it has been decided that these are not
-    /// below zero.
+    /// zero, and so is that of a kink that has just been crossed. A gap or a guard of reactions that starts
+    /// below zero counts as zero, too: it has been decided that these are not below zero.
     pub(super) fn before(&self, guard: Guard, curve: &Taylor<S::Scalar>, fired: Option<Guard>) -> Before {
         let is_held = matches!(guard, Guard::Row(row)
             if S::ROWS[row] == Row::Unilateral || self.is_reaction(row));

@@ -8,7 +8,8 @@ use super::Ends;
 use crate::motion::roots::{rises, stays_above};
 use crate::number::real::{Ordered, Real, smaller};
 
-/// The degree of the polynomials that a first look is at: Bernstein's coefficients of others cost its square.
+/// The degree to which a first look takes polynomials: the cost of Bernstein's coefficients grows with the
+/// square of the degree.
 const DEGREE: usize = 8;
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Guards<'_, S, N, K, C, W>
@@ -16,7 +17,7 @@ where
     S: Switching<N, K, C, W>,
     S::Scalar: Ordered,
 {
-    /// Whether a guard is further from zero than the sum of its terms on the step.
+    /// Whether a guard starts further above zero than the sum of its terms can take it down on the step.
     pub(super) fn is_far(
         &self,
         guard: Guard,

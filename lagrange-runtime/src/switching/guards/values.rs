@@ -12,7 +12,7 @@ pub(in crate::switching) struct Parts<T, const C: usize, const W: usize> {
     pub(in crate::switching) backward: [T; C],
 }
 
-/// Values of all guards and their sizes.
+/// Values of all guards and their sizes: bounds of their rounding errors, in ε.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Values<R, const C: usize, const W: usize> {
     pub rows: [R; C],
@@ -47,8 +47,9 @@ impl<R: Real, const C: usize, const W: usize> Values<R, C, W> {
     }
 }
 
-/// Whether a guard on a part of the step is as far from zero as it would not come in many such parts. The
-/// multiples of the golden ratio are places where no oscillation repeats itself.
+/// Whether a guard is so far from zero on a part of the step that it would not come to zero in many such
+/// parts: further than 64 times all that it changes. It is evaluated at multiples of the golden ratio, where
+/// no oscillation repeats itself.
 #[cold]
 pub(in crate::switching) fn is_clear<R: Ordered>(mut value: impl FnMut(R) -> R) -> bool {
     let values = [0.0, 0.090_17, 0.236_07, 0.381_97, 0.527_86, 0.618_03, 0.763_93, 0.854_1, 1.0]

@@ -65,7 +65,7 @@ where
         self.watch.has(guard)
     }
 
-    /// Notes the kinks that the motion has crossed where the step starts, by how often.
+    /// Notes the kinks that the motion has crossed where the step starts. `flips` is how often.
     pub(in crate::switching) fn cross(&mut self, flips: &[usize; W]) {
         self.watch.crossed = flips.map(|flips| flips > 0);
     }

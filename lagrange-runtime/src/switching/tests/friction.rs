@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// A mass on a spring and a dry support; with a belt, its speed.
+/// A mass on a spring and a dry support, which moves as a belt does at the speed `belt`.
 #[derive(Clone, Copy, Debug)]
 struct Slider {
     m: f64,
@@ -72,7 +72,7 @@ fn a_mass_on_a_belt_sticks_and_slips() {
     assert!((state.q[0] - 4.0 / 9.0).abs() < 1e-10 && (state.v[0] - 0.2).abs() < 1e-9, "{state:?}");
 }
 
-/// A particle on an incline that is rough in both directions: across, downhill, above.
+/// A particle on an incline that is rough in both directions. Its coordinates are across, downhill and above.
 #[derive(Clone, Copy, Debug)]
 struct Incline {
     slope: f64,
@@ -124,7 +124,7 @@ fn a_particle_on_a_steep_slope_starts_to_slip() {
     let state = *motion.advance_to(2.0).unwrap();
     let a = 9.81 * (0.5_f64.sin() - 0.45 * 0.5_f64.cos());
     assert!((state.q[1] - 2.0 * a).abs() < 1e-11 && state.q[0].abs() < 1e-13, "{state:?} {a}");
-    // And dropped onto it, with an impact that sticks across and slips downhill.
+    // And dropped onto it, with an impact in which it slips and after which it slips on downhill.
     let mut motion = incline.start([0.0, 0.0, 0.1], [0.2, 0.0, 0.0]);
     let state = *motion.advance_to(3.0).unwrap();
     assert!(state.q[2] == 0.0 && state.v[1] > 0.0, "{state:?}");
@@ -167,8 +167,8 @@ fn a_plate_falls_on_its_foot_slips_and_sticks() {
     let mut motion = plate.start([0.0, 0.0, 0.2, 0.0], start);
     let fall = (2.0_f64 * 0.2 / 9.81).sqrt();
     let after = *motion.advance_to(fall + 1e-12).unwrap();
-    // All impulses of friction together are the coefficient times that of the floor, against the slip after
-    // it.
+    // The impulse of friction is as large as the coefficient times that of the floor, and is against the slip
+    // after the impact.
     let (x, y) = (after.v[0] - start[0], after.v[1] - start[1]);
     assert!((x.hypot(y) - 0.3 * 9.81 * fall).abs() < 1e-10, "{after:?}");
     let slip = [after.v[0] - 0.2 * after.v[3], after.v[1] + 0.1 * after.v[3]];
