@@ -9,8 +9,9 @@
 //! Systems*, chapter 7), which is never written down.
 //!
 //! There are no derivatives where ġ is zero, where two guards are zero at once, where a contact that touches
-//! by chance has a part in an impact, and where a motion begins at a contact that bears nothing. A motion is known to its tolerance only. So there are none
-//! either where that leaves no digit of ġ at the zero, or does not tell which of two zeros comes first.
+//! by chance has a part in an impact, and where a motion begins at a contact that bears nothing. A motion is
+//! known to its tolerance only. So there are none either where that leaves no digit of ġ at the zero, or does
+//! not tell which of two zeros comes first.
 
 use super::choice::Choice;
 use super::guards::{Guard, Guards};
@@ -245,8 +246,8 @@ where
         })
     }
 
-    /// Why a motion that begins with this choice has no derivatives: a contact that bears nothing touches, and
-    /// its gap or its rate varies. Varied motions open it or press on it. `None` where there is no such
+    /// Why a motion that begins with this choice has no derivatives: a contact that bears nothing touches,
+    /// and its gap or its rate varies. Varied motions open it or press on it. `None` where there is no such
     /// contact.
     #[cold]
     pub(super) fn touched_by_chance(
