@@ -10,6 +10,7 @@
 
 mod curve;
 mod glance;
+mod shared;
 
 use super::course::Course;
 use super::guards::{Guard, Guards, Parts, is_clear};
@@ -43,6 +44,9 @@ const BEYOND: f64 = 64.0;
 pub(super) struct Found<R> {
     /// The first guard that falls through zero, and where; `None` if none does.
     pub(super) first: Option<(Fall<R>, Guard)>,
+    /// Whether this is a friction that shares its load with others, which bear no more, either. Its own guard
+    /// may have fallen before.
+    pub(super) is_shared: bool,
     /// The part of the step on which the guards are known.
     pub(super) until: R,
 }
@@ -119,7 +123,7 @@ where
             }
         }
         if self.all().next().is_none() {
-            return Ok(Found { first: None, until: num_traits::One::one() });
+            return Ok(Found { first: None, is_shared: false, until: num_traits::One::one() });
         }
         self.closely(course, &ends, fired, attempts)
     }
@@ -133,10 +137,11 @@ where
         fired: Option<Guard>,
         attempts: &mut u64,
     ) -> Result<Found<S::Scalar>, Cause> {
-        let mut found = Found { first: None, until: num_traits::One::one() };
+        let mut found = Found { first: None, is_shared: false, until: num_traits::One::one() };
         let borne = self.borne(course);
+        let sharing = self.sharing();
         for guard in Self::every() {
-            if !self.has(guard) {
+            if !self.has(guard) || sharing.is_some() && self.sticks_in_two_directions(guard) {
                 continue;
             }
             let before = found.first.as_ref().map_or(found.until, |(fall, _)| fall.place);
@@ -159,7 +164,7 @@ where
                 }
             };
             if until < before {
-                found = Found { first: None, until };
+                found = Found { first: None, is_shared: false, until };
             }
             let Some(end) = end else { continue };
             for direction in self.directions_of(guard) {
@@ -171,6 +176,12 @@ where
                 {
                     found.first = Some((fall, guard));
                 }
+            }
+        }
+        if let Some(guard) = sharing {
+            let until = found.first.as_ref().map_or(found.until, |(fall, _)| fall.place);
+            if let Some(fall) = self.shared(course, until) {
+                (found.first, found.is_shared) = (Some((fall, guard)), true);
             }
         }
         Ok(found)

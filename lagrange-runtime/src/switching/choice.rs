@@ -188,8 +188,15 @@ where
     pub(super) fn trial(&self, regime: Regime<S::Scalar, C, W>) -> Option<Choice<S::Scalar, N, C, W>> {
         let begins = self.beginning(&regime);
         let has_begun = begins.any();
-        let velocities = if has_begun { self.begun(&regime, &begins)? } else { self.state.v };
+        let drift = if has_begun { Some(self.drift(&regime, &begins)?) } else { None };
+        let velocities = match &drift {
+            Some(drift) => self.launched(&regime, &begins, &drift.slips)?,
+            None => self.state.v,
+        };
         let (mut balance, sizes) = self.balance(&regime, &velocities)?;
+        if let Some(drift) = drift {
+            balance = drift.balance;
+        }
         // Where rows depend on each other there are other reactions as well: the shortest are taken.
         if balance.independence.rank < balance.independence.rows
             && let drags = self.drags(&regime, &velocities)
@@ -313,11 +320,7 @@ where
                         Some(other) => {
                             let [x, y] = [row, *other].each(|row| self.rate_at(row, &trial.velocities));
                             let turn = self.rate(*other, &trial.accelerations);
-                            let speed = x.hypot(y);
-                            // A slip that begins goes on in the direction that its friction resists.
-                            let aside = (x * turn - y * rate).abs();
-                            let size = play + S::Scalar::epsilon().sqrt() * rate.hypot(turn);
-                            !above(-play * speed, x * rate + y * turn) && !above(aside, size * speed)
+                            !above(-play * x.hypot(y), x * rate + y * turn)
                         }
                     }
                 }

@@ -32,11 +32,11 @@ where
         }
         guards.cross(&memory.flips);
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
-        let (mut fall, mut known) = (None, one);
+        let (mut fall, mut known, mut is_shared) = (None, one, false);
         if let Some(terms) = terms {
             let course = Course::new(terms, self.limits.relative, S::FOLLOWED);
             let found = guards.first_along(&course, &end, memory.fired, attempts)?;
-            known = found.until;
+            (known, is_shared) = (found.until, found.is_shared);
             fall = found.first.map(|found| {
                 let sizes = terms.sizes(&start, found.0.place);
                 (found, sizes, terms.length * terms.unit, terms.residue)
@@ -50,9 +50,10 @@ where
             }
             M::within(inner, in_regime, constants, control, limits, part).ok()
         };
-        let mut first = fall
-            .as_ref()
-            .map(|((fall, guard), sizes, ..)| (guards.at_zero(*guard, *fall, sizes, &mut at), *guard));
+        let mut first = fall.as_ref().map(|((fall, guard), sizes, ..)| {
+            let place = if is_shared { fall.place } else { guards.at_zero(*guard, *fall, sizes, &mut at) };
+            (place, *guard)
+        });
         // The time from the start to this part of the step, without the rounding of times.
         let mut passed = first.zip(fall).map(|((part, _), (.., length, residue))| part * length + residue);
         let until = first.map_or(known, |(part, _)| part);

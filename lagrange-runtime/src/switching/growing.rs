@@ -27,6 +27,14 @@ const TRIES: usize = 128;
 /// time of the state.
 const FACTOR: f64 = 16.0;
 
+/// Rounds that find the time at which slips begin. Each leaves the square of the span of the one before.
+const SECANTS: usize = 4;
+
+/// The largest of some accelerations.
+fn most_of<R: Real, const C: usize>(parts: &[R; C]) -> R {
+    parts.iter().fold(R::zero(), |a, &b| most(a, b))
+}
+
 /// A motion with slips that a growing load has begun, a short time later.
 pub(super) struct Grown<R, const N: usize, const C: usize, const W: usize> {
     pub(super) regime: Regime<R, C, W>,
@@ -63,37 +71,73 @@ where
         scales: &Scales<S::Scalar, C>,
     ) -> Option<Grown<S::Scalar, N, C, W>> {
         let begins = self.beginning(&choice.regime);
-        let is_driven = |rows: [usize; 2]| above(self.driven_part(rows, choice), rounding::<S::Scalar>());
+        // The time of a switch has errors, as velocities have. Whether a slip is driven that is hardly driven
+        // here shows by how it grows.
+        let changed = self.lost.part(0).sqrt();
+        let is_driven = |rows: [usize; 2]| above(self.driven_part(rows, choice), changed);
         if begins.slips(&S::ROWS).all(is_driven) {
             return None;
         }
-        let a = &choice.accelerations;
+        match self.soon(choice, scales, false) {
+            Ok((grown, _)) => Some(grown),
+            Err(regime) if regime == choice.regime => None,
+            // Only the slips of the choice begin here. The motion meets those that begin later.
+            Err(_) => self.until(choice.regime, &choice.accelerations, scales),
+        }
+    }
+
+    /// The same where feet have stuck that shared a load. Where the last possible shares are hard to find,
+    /// slips begin a little later: then the motion goes on until that time as it is.
+    #[cold]
+    pub(super) fn loosened(
+        &self,
+        stuck: &Choice<S::Scalar, N, C, W>,
+        scales: &Scales<S::Scalar, C>,
+    ) -> Option<Grown<S::Scalar, N, C, W>> {
+        let (grown, onset) = self.soon(stuck, scales, true).ok()?;
+        // An onset that changes the growth by more than the growth is known to.
+        let least = S::Scalar::from_f64(0.25) * self.growth() * grown.later;
+        if above(onset, least) { self.until_onset(stuck, onset) } else { Some(grown) }
+    }
+
+    /// The motion after a choice that nothing accelerates, when the load has grown enough for a series to
+    /// begin, and the time at which slips begin: in the regime of the choice, or in one to which the same
+    /// load soon leads. Fails with the last regime in which slips do not grow evenly.
+    fn soon(
+        &self,
+        choice: &Choice<S::Scalar, N, C, W>,
+        scales: &Scales<S::Scalar, C>,
+        is_shared: bool,
+    ) -> Result<(Grown<S::Scalar, N, C, W>, S::Scalar), Regime<S::Scalar, C, W>> {
         let mut regime = choice.regime;
         for _ in 0..=C {
-            match self.grown_in(regime, a, scales) {
-                Ok(grown) => return Some(grown),
-                Err(Not::Grown) if regime == choice.regime => return None,
+            match self.grown_in(regime, &choice.accelerations, scales, is_shared) {
+                Ok(found) => return Ok(found),
                 Err(Not::Grown) => break,
                 // The same load soon drives others, too.
                 Err(Not::Alone(other)) => regime = other,
             }
         }
-        // Otherwise only the slips of the choice begin here. The motion meets those that begin later.
-        self.until(choice.regime, a, scales)
+        Err(regime)
     }
 
-    /// The same in a regime, if all its slips that begin grow evenly from now on.
+    /// The acceleration that is grown to, as a part of what the forces could give: the cube root of what
+    /// velocities lose anyway.
+    fn growth(&self) -> S::Scalar {
+        (self.lost.part(0).ln() / S::Scalar::from_f64(3.0)).exp()
+    }
+
+    /// The same in a regime, if all its slips that begin grow evenly from now on, or from a later time where
+    /// a load is shared.
     fn grown_in(
         &self,
         regime: Regime<S::Scalar, C, W>,
         a: &[S::Scalar; N],
         scales: &Scales<S::Scalar, C>,
-    ) -> Result<Grown<S::Scalar, N, C, W>, Not<S::Scalar, C, W>> {
+        is_shared: bool,
+    ) -> Result<(Grown<S::Scalar, N, C, W>, S::Scalar), Not<S::Scalar, C, W>> {
         let number = S::Scalar::from_f64;
-        // The cube root of what velocities lose anyway.
-        let wanted = (self.lost.part(0).ln() / number(3.0)).exp();
-        let most_of =
-            |parts: &[S::Scalar; C]| parts.iter().fold(num_traits::Zero::zero(), |a, &b| most(a, b));
+        let wanted = self.growth();
         let mut later = self.instant();
         for _ in 0..TRIES {
             let part = match self.ahead(regime, a, scales, later) {
@@ -105,16 +149,82 @@ where
                 later *= wanted / part;
                 let (grown, parts) = self.ahead(regime, a, scales, later)?;
                 // A load that has not grown evenly is another one, met later.
-                let (_, halves) = self.ahead(regime, a, scales, later * number(0.5))?;
+                let (_, mut halves) = self.ahead(regime, a, scales, later * number(0.5))?;
+                let mut onset = num_traits::Zero::zero();
+                if is_shared {
+                    onset = self.onset(regime, a, scales, later, [most_of(&parts), most_of(&halves)]);
+                    (_, halves) = self.ahead(regime, a, scales, number(0.5) * (onset + later))?;
+                }
                 let is_even = |(&whole, &half): (&S::Scalar, &S::Scalar)| {
                     !above(number(0.4) * whole, half) && !above(half, number(0.6) * whole)
                 };
-                return if parts.iter().zip(&halves).all(is_even) { Ok(grown) } else { Err(Not::Grown) };
+                let are_even = parts.iter().zip(&halves).all(is_even);
+                return if are_even { Ok((grown, onset)) } else { Err(Not::Grown) };
             }
             let is_near = above(part, rounding::<S::Scalar>() + wanted / number(FACTOR));
             later *= if is_near { number(1.0 + 1.0 / FACTOR) * wanted / part } else { number(FACTOR) };
         }
         Err(Not::Grown)
+    }
+
+    /// The time at which slips begin that have these accelerations at a later time and at half of it: the
+    /// zero of their secant, nearer and nearer to that time. Zero if it is past.
+    fn onset(
+        &self,
+        regime: Regime<S::Scalar, C, W>,
+        a: &[S::Scalar; N],
+        scales: &Scales<S::Scalar, C>,
+        later: S::Scalar,
+        [mut whole, mut half]: [S::Scalar; 2],
+    ) -> S::Scalar {
+        let number = S::Scalar::from_f64;
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let (mut onset, mut span) = (zero, later);
+        for _ in 0..SECANTS {
+            let passed = span * (half + half - whole) / (number(-2.0) * (whole - half));
+            if !above(whole, half) || !above(span, passed) {
+                break;
+            }
+            onset = most(onset + passed, zero);
+            span = (span - passed) / number(FACTOR);
+            let at = |place| self.ahead(regime, a, scales, onset + place).map(|(_, parts)| most_of(&parts));
+            (whole, half) = match (at(span), at(number(0.5) * span)) {
+                (Ok(whole), Ok(half)) => (whole, half),
+                _ => break,
+            };
+        }
+        onset
+    }
+
+    /// The motion of a choice until slips begin.
+    fn until_onset(
+        &self,
+        stuck: &Choice<S::Scalar, N, C, W>,
+        later: S::Scalar,
+    ) -> Option<Grown<S::Scalar, N, C, W>> {
+        let regime = stuck.regime;
+        let in_regime = self.system.in_regime(&regime);
+        let mut state = self.state;
+        shift(&mut state, &stuck.accelerations, later);
+        state.t += later;
+        in_regime.project_at(&in_regime.constants(), &mut state, None).ok()?;
+        let equations = S::equations_in(&in_regime, state.t, &state.q, &state.v, self.inputs)?;
+        let b = equations.balance().accelerations;
+        let end = self.grows(&stuck.accelerations, &b, later);
+        let gain = [array(|i| end.q[i] - self.state.q[i]), array(|i| end.v[i] - self.state.v[i])];
+        let way = [b, array(|i| (b[i] - stuck.accelerations[i]) / later)];
+        Some(Grown { regime, later, gain, way })
+    }
+
+    /// The state after a time in which accelerations grow linearly from `a` to `b`.
+    fn grows(&self, a: &[S::Scalar; N], b: &[S::Scalar; N], later: S::Scalar) -> State<S::Scalar, N> {
+        let number = S::Scalar::from_f64;
+        let State { t, q, v } = self.state;
+        State {
+            t: t + later,
+            q: array(|i| q[i] + later * (v[i] + later * (a[i] + a[i] + b[i]) / number(6.0))),
+            v: array(|i| v[i] + later * (a[i] + b[i]) / number(2.0)),
+        }
     }
 
     /// The same as far as the regime lasts.
@@ -193,14 +303,9 @@ where
                 put(&mut slips, row, number(0.5) * later * scene.rate(row, &there.accelerations));
             }
         }
-        // The integrals of accelerations that grow linearly.
-        let State { t, q, v } = self.state;
+        let State { q, v, .. } = self.state;
         let b = &there.accelerations;
-        let state = State {
-            t: t + later,
-            q: array(|i| q[i] + later * (v[i] + later * (a[i] + a[i] + b[i]) / number(6.0))),
-            v: array(|i| v[i] + later * (a[i] + b[i]) / number(2.0)),
-        };
+        let state = self.grows(a, b, later);
         // The slip is that of its own accelerations: in the direction of the load, as it is there.
         let rates = self.system.laws_at(state.t, &state.q, &state.v, self.inputs).rows.rates;
         let lack = array(|row| if begins.has(row) { slips[row] - rates[row] } else { zero });

@@ -1,8 +1,8 @@
-//! Slips in two directions that begin: their directions, and how they begin.
+//! Slips in two directions that begin: which do, and the speed and time with which they go on.
 
 use super::choice::Sizes;
-use super::scene::{Scene, Status, above, entry, extent, most, product, put, rounding};
-use super::turning::{TURNS, Turning, newton, pairs};
+use super::scene::{Scene, Status, above, entry, extent, most, product, put};
+use super::turning::pairs;
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::linear::SaddlePoint;
@@ -77,83 +77,64 @@ where
         (status != self.status).then_some(Self { status, ..*self })
     }
 
-    /// Velocities with the smallest slip whose direction the motion knows, in the directions in which slips
-    /// begin. These are the directions of their accelerations under friction against them. `None` where no
-    /// force drives a slip, or some slips have no accelerations.
+    /// Velocities with the smallest slips whose directions the motion knows, in the directions of these.
+    /// `None` where the equations have no solution, or a slip has no direction.
     #[cold]
-    pub(super) fn begun(
+    pub(super) fn launched(
         &self,
         regime: &Regime<S::Scalar, C, W>,
         begins: &Begins<C>,
+        slips: &[S::Scalar; C],
     ) -> Option<[S::Scalar; N]> {
-        let zero: S::Scalar = num_traits::Zero::zero();
         let State { t, q, v } = &self.state;
         let stuck = begins.held(regime);
         let held = S::equations_in(&self.system.in_regime(&stuck), *t, q, v, self.inputs)?;
-        let strengths = self.balance(&stuck, v)?.1.accelerations;
-        // The velocities with slips in the directions of these.
-        let slipping = |slips: &[S::Scalar; C]| {
-            let mut lack = [zero; C];
-            for [row, other] in begins.slips(&S::ROWS) {
-                let length = entry(slips, row).hypot(entry(slips, other));
-                if !length.is_positive() {
-                    return None;
-                }
-                let lost = most(entry(&self.speeds, row), entry(&self.speeds, other)) * self.lost;
-                // In the time that rounding hides, forces change a velocity by this.
-                let [a, b] = [row, other].each(|row| self.extent_of(row, &strengths));
-                let hidden = S::Scalar::from_f64(4.0) * S::Scalar::epsilon() * t.abs() * most(a, b);
-                let least = most(lost, hidden);
-                let least = if least.is_positive() { least } else { S::Scalar::epsilon() * self.lost };
-                let size = least * S::Scalar::from_f64(LAUNCHED);
-                for row in [row, other] {
-                    let rate = entry(&self.laws.rows.rates, row);
-                    put(&mut lack, row, size * entry(slips, row) / length - rate);
-                }
-            }
-            let (change, _) = held.saddle.solve(&[zero; N], &lack);
-            Some(array(|i| v[i] + change[i]))
-        };
-        // The rates of slips in the directions of these, and whether they are these. A slip that nothing
-        // accelerates stays as it is: at first it has the direction of the force that drives it.
-        let growing = |slips: &[S::Scalar; C]| {
-            let (balance, sizes) = self.balance(regime, &slipping(slips)?)?;
-            let (mut grown, mut is_done) = (*slips, true);
-            for rows in begins.slips(&S::ROWS) {
-                let rates = rows.each(|row| self.rate(row, &balance.accelerations));
-                let noise = rounding::<S::Scalar>() * self.extent_of(rows[0], &sizes.accelerations);
-                if above(rates[0].hypot(rates[1]), noise) {
-                    let lack = [0, 1].each(|i| rates[i] - entry(slips, rows[i]));
-                    is_done = is_done && !above(lack[0].hypot(lack[1]), noise);
-                    rows.into_iter().zip(rates).for_each(|(row, rate)| put(&mut grown, row, rate));
-                }
-            }
-            Some((grown, is_done))
-        };
-        let first = held.balance().multipliers.each(|force| -force);
-        let (reached, _) = growing(&first)?;
-        let mut slips = [zero; C];
+        self.with_slips(slips, begins, &held.saddle, &self.balance(&stuck, v)?.1.accelerations)
+    }
+
+    /// Velocities with slips in the directions of these. Slips of feet that share a load are those of one
+    /// motion: the slowest has the size that its direction needs. `None` where a slip has no direction.
+    fn with_slips(
+        &self,
+        slips: &[S::Scalar; C],
+        begins: &Begins<C>,
+        held: &impl SaddlePoint<S::Scalar, N, C>,
+        strengths: &[S::Scalar; N],
+    ) -> Option<[S::Scalar; N]> {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let (mut factors, mut largest) = ([zero; C], zero);
         for rows in begins.slips(&S::ROWS) {
-            let [own, then] = [&first, &reached].each(|slips| {
-                let [x, y] = rows.each(|row| entry(slips, row));
-                x.hypot(y)
-            });
-            rows.into_iter().for_each(|row| put(&mut slips, row, then / own * entry(&first, row)));
-        }
-        let start = slips;
-        let mut turning = Turning::new();
-        for _ in 0..TURNS {
-            let (reached, is_done) = growing(&slips)?;
-            if is_done {
-                return slipping(&slips);
+            let [x, y] = rows.each(|row| entry(slips, row));
+            let factor = self.least_slip(rows, strengths) / x.hypot(y);
+            if !factor.is_finite() {
+                return None;
             }
-            let lacks = array(|row| reached[row] - slips[row]);
-            let share = turning.share(&slips, &lacks);
-            slips = array(|row| slips[row] + share * lacks[row]);
+            largest = most(largest, factor);
+            rows.into_iter().for_each(|row| put(&mut factors, row, factor));
         }
-        let units = array(|row| if begins.has(row) { num_traits::One::one() } else { zero });
-        // Where a slip hardly grows, any direction near that of its force does.
-        slipping(&newton(start, &units, growing).unwrap_or(slips))
+        let is_shared = !held.is_independent();
+        let lack = array(|row| {
+            let factor = if is_shared { largest } else { entry(&factors, row) };
+            if begins.has(row) {
+                factor * entry(slips, row) - entry(&self.laws.rows.rates, row)
+            } else {
+                zero
+            }
+        });
+        let (change, _) = held.solve(&[zero; N], &lack);
+        Some(array(|i| self.state.v[i] + change[i]))
+    }
+
+    /// The smallest slip whose direction the motion knows, where forces can make such accelerations.
+    fn least_slip(&self, rows: [usize; 2], strengths: &[S::Scalar; N]) -> S::Scalar {
+        let [a, b] = rows.each(|row| entry(&self.speeds, row));
+        let lost = most(a, b) * self.lost;
+        // In the time that rounding hides, forces change a velocity by this.
+        let [a, b] = rows.each(|row| self.extent_of(row, strengths));
+        let hidden = S::Scalar::from_f64(4.0) * S::Scalar::epsilon() * self.state.t.abs() * most(a, b);
+        let least = most(lost, hidden);
+        let least = if least.is_positive() { least } else { S::Scalar::epsilon() * self.lost };
+        least * S::Scalar::from_f64(LAUNCHED)
     }
 
     /// The time \[s] in which slips that begin grow to those of `velocities`. `None` where it is so long that

@@ -16,6 +16,7 @@ mod choice;
 mod contacts;
 mod corners;
 mod course;
+mod drifting;
 mod event;
 mod functions;
 mod growing;

@@ -21,6 +21,10 @@ pub(super) const CHANGES: usize = 4;
 /// The longest step, as a multiple of the time that is asked for. Calls for short times share long steps.
 const AHEAD: f64 = 1024.0;
 
+/// The part of the time to go that a first step takes at most: a step at rest that is shorter than this says
+/// nothing about the next one.
+const SHORT: f64 = 16.0;
+
 /// The most times that a step without a known end is tried shorter, by the same factor.
 const NEARER: usize = 4;
 
@@ -103,7 +107,12 @@ where
             // it bears nothing.
             let lands = self.memory.is_fresh || known.settled;
             let from = if lands { scene.touching(present) } else { *present };
-            let mut choice = scene.choose(&from, known.fired)?;
+            let sharing = known.fired.and_then(|row| scene.sharing(&from, row));
+            let loosened = sharing.and_then(|stuck| Some((stuck, scene.loosened(&stuck, scales)?)));
+            let (mut choice, mut grown) = match loosened {
+                Some((stuck, grown)) => (stuck, Some(grown)),
+                None => (scene.choose(&from, known.fired)?, None),
+            };
             if S::Scalar::PARTS > 1
                 && self.memory.is_fresh
                 && let Some(cause) = scene.touched_by_chance(&choice, self.limits.relative)
@@ -119,7 +128,7 @@ where
                 (known.closed, known.settled) = (scene.is_closed, true);
                 last = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &last;
-                choice = scene.choose(&scene.touching(&from), known.fired)?;
+                (choice, grown) = (scene.choose(&scene.touching(&from), known.fired)?, None);
             }
             let active = &choice.regime.active;
             let bears = |row: usize| S::ROWS[row] == Row::Unilateral && active[row] && !present.active[row];
@@ -130,7 +139,7 @@ where
             self.memory.way[0] = choice.accelerations;
             // The time of a state is a number alone: its variation is in `late`.
             state.t = state.t.part(0);
-            if let Some(grown) = scene.grown(&choice, scales) {
+            if let Some(grown) = grown.or_else(|| scene.grown(&choice, scales)) {
                 let [gain_q, gain_v] = grown.gain;
                 state.t += grown.later;
                 state.q = array(|i| state.q[i] + gain_q[i]);
@@ -196,7 +205,9 @@ where
                 M::restart(&mut self.memory.inner, self.memory.end);
                 return Ok(());
             }
-            if rests && S::InRegime::CONSTRAINED {
+            let is_short =
+                S::Scalar::from_f64(SHORT) * (here.t - self.memory.start.t).abs() < (t - here.t).abs();
+            if rests && is_short && S::InRegime::CONSTRAINED {
                 // The length of the next step is not bounded by that of the last one.
                 M::restart(&mut self.memory.inner, here);
             }

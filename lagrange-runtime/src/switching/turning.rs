@@ -1,7 +1,7 @@
 //! Directions of slips in two directions.
 //!
-//! Friction points against the slip, and the slip follows from friction: x = F(x / |x|) with the slip x, or
-//! its rate where it begins. That is a monotone equation, but plain iteration overshoots where friction is
+//! Friction points against the slip, and the slip follows from friction: x = F(x / |x|) with the slip x
+//! after an impact. That is a monotone equation, but plain iteration overshoots where friction is
 //! strong and the slip is slow. [`Turning`] takes steps of the length that the last change suggests (J.
 //! Barzilai, J. M. Borwein, "Two-point step size gradient methods", IMA J. Numer. Anal. 8, 1988): secants
 //! along one direction, at the cost of one F each.

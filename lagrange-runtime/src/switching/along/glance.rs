@@ -78,6 +78,10 @@ where
     ) -> bool {
         self.directions_of(guard).all(|direction| {
             let Some(curve) = self.curve(guard, direction, course, &ends.start) else { return false };
+            // Others may bear what this friction does not: then its own guard tells nothing.
+            if curve.start() < num_traits::Zero::zero() && self.sticks_in_two_directions(guard) {
+                return false;
+            }
             let converges = if self.is_of_reactions(guard) {
                 course.last_of_reactions(&curve) <= course.left.sqrt() * curve.extent()
             } else {

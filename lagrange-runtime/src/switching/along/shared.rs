@@ -1,0 +1,89 @@
+//! Frictions that share a load: feet that stick in two directions, on which the load is spread in more than
+//! one way.
+//!
+//! The guards of such frictions are those of the shortest reactions. Where one of these reaches its limit,
+//! others may bear more, and the feet go on to stick as long as any shares of the load are possible. No series
+//! follows that, so the step is searched for the place where the last possible shares are gone.
+
+use super::super::Row;
+use super::super::Switching;
+use super::super::course::Course;
+use super::super::guards::{Guard, Guards};
+use super::super::scene::{Known, Scales, Scene, Sticking};
+use crate::motion::roots::Fall;
+use crate::number::real::{Ordered, Real};
+use crate::system::state::State;
+
+/// How often the part of the step is halved in which shares cease to be possible. Halving ends where places
+/// have no number between them.
+const HALVINGS: usize = 64;
+
+/// Parts of the step, between which shares are possible at all places or at none: multiples of the golden
+/// ratio, in order.
+const PLACES: [f64; 8] = [0.090_17, 0.236_07, 0.381_97, 0.527_86, 0.618_03, 0.763_93, 0.854_1, 1.0];
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Guards<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+{
+    /// Whether a guard is that of a friction that sticks in two directions.
+    pub(super) fn sticks_in_two_directions(&self, guard: Guard) -> bool {
+        matches!(guard, Guard::Row(row)
+            if self.regime.active[row] && matches!(S::ROWS[row], Row::Friction { pair: Some(_), .. }))
+    }
+
+    /// The first guard that is watched of the frictions that share a load; `None` where the motion determines
+    /// all reactions.
+    pub(super) fn sharing(&self) -> Option<Guard> {
+        let first = self.all().find(|&guard| self.sticks_in_two_directions(guard))?;
+        let State { t, q, v } = self.start;
+        let equations = S::equations_in(self.in_regime, *t, q, v, self.inputs)?;
+        let independence = equations.balance().independence;
+        (independence.rank < independence.rows).then_some(first)
+    }
+
+    /// Where the last possible shares are gone before a part of the step; `None` if some are possible on all
+    /// of it, and its start if none are possible right behind that.
+    #[cold]
+    pub(super) fn shared(
+        &self,
+        course: &Course<'_, S::Scalar, N>,
+        until: S::Scalar,
+    ) -> Option<Fall<S::Scalar>> {
+        let number = S::Scalar::from_f64;
+        let holds = |place: S::Scalar| self.holds(&course.at(self.start, place)[0]);
+        let mut low = num_traits::Zero::zero();
+        for part in PLACES {
+            let place = number(part) * until;
+            if holds(place) {
+                low = place;
+                continue;
+            }
+            let mut high = place;
+            for _ in 0..HALVINGS {
+                let middle = number(0.5) * (low + high);
+                if middle <= low || middle >= high {
+                    break;
+                }
+                if holds(middle) {
+                    low = middle;
+                } else {
+                    high = middle;
+                }
+            }
+            return Some(Fall { place: low, fallen: high });
+        }
+        None
+    }
+
+    /// Whether reactions are possible with which all goes on at a state as it does in the regime.
+    fn holds(&self, state: &State<S::Scalar, N>) -> bool {
+        let known = Known { closed: self.regime.active, fired: None, settled: true, rested: [false; C] };
+        let kinks = self.regime.kinks;
+        let scene = Scene::new(self.system, state, self.inputs, kinks, &Scales::new(), &known);
+        let Some((balance, _)) = scene.balance(self.regime, &state.v) else { return false };
+        let drags = scene.drags(self.regime, &state.v);
+        scene.shortest(self.regime, &drags, &balance.multipliers, Sticking::ByForces).is_some()
+    }
+}
