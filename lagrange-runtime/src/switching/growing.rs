@@ -49,6 +49,9 @@ pub(super) struct Grown<R, const N: usize, const C: usize, const W: usize> {
 /// The same for one time, with the acceleration of each slip as a part of what the forces could give it.
 type Ahead<R, const N: usize, const C: usize, const W: usize> = (Grown<R, N, C, W>, [R; C]);
 
+/// The same, and the time at which slips begin \[s].
+type Soon<R, const N: usize, const C: usize, const W: usize> = (Grown<R, N, C, W>, R);
+
 /// The reason why there is no such motion for a time.
 enum Not<R, const C: usize, const W: usize> {
     /// The load has not grown beyond what friction holds, or not evenly, or no motion is found.
@@ -108,7 +111,7 @@ where
         choice: &Choice<S::Scalar, N, C, W>,
         scales: &Scales<S::Scalar, C>,
         is_shared: bool,
-    ) -> Result<(Grown<S::Scalar, N, C, W>, S::Scalar), Regime<S::Scalar, C, W>> {
+    ) -> Result<Soon<S::Scalar, N, C, W>, Regime<S::Scalar, C, W>> {
         let mut regime = choice.regime;
         for _ in 0..=C {
             match self.grown_in(regime, &choice.accelerations, scales, is_shared) {
@@ -135,7 +138,7 @@ where
         a: &[S::Scalar; N],
         scales: &Scales<S::Scalar, C>,
         is_shared: bool,
-    ) -> Result<(Grown<S::Scalar, N, C, W>, S::Scalar), Not<S::Scalar, C, W>> {
+    ) -> Result<Soon<S::Scalar, N, C, W>, Not<S::Scalar, C, W>> {
         let number = S::Scalar::from_f64;
         let wanted = self.growth();
         let mut later = self.instant();
