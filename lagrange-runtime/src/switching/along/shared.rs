@@ -2,8 +2,8 @@
 //! one way.
 //!
 //! The guards of such frictions are those of the shortest reactions. Where one of these reaches its limit,
-//! others may bear more, and the feet go on to stick as long as any shares of the load are possible. No series
-//! follows that, so the step is searched for the place where the last possible shares are gone.
+//! others may bear more, and the feet go on to stick as long as any shares of the load are possible. No
+//! series follows that, so the step is searched for the place where the last possible shares are gone.
 
 use super::super::Row;
 use super::super::Switching;
