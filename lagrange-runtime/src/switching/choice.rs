@@ -34,8 +34,8 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// The regime that goes on. If there is none, slips in two directions that are too slow to have a
-    /// direction count as friction at rest.
+    /// The regime that goes on. Slips in two directions that are too slow to have a direction count as
+    /// friction at rest where no other regime does.
     ///
     /// `avoid` is the row whose guard has fired. It goes on as before only if nothing else is possible:
     ///

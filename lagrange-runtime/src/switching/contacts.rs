@@ -81,7 +81,7 @@ where
     }
 
     /// Moves to the next change of the regime up to time `until` \[s], which is included, and forward in time
-    /// alone. If there is none, moves to `until` and returns `None`.
+    /// alone. Without such a change it moves to `until` and returns `None`.
     ///
     /// # Errors
     /// As [`Simulation::advance_to`].

@@ -46,6 +46,13 @@ pub(super) struct Grown<R, const N: usize, const C: usize, const W: usize> {
     pub(super) way: [[R; N]; 2],
 }
 
+impl<R: Real, const N: usize, const C: usize, const W: usize> Grown<R, N, C, W> {
+    /// The motion with these changes after a time in which accelerations grow linearly.
+    fn of(regime: Regime<R, C, W>, later: R, gain: [[R; N]; 2], [a, b]: [&[R; N]; 2]) -> Self {
+        Self { regime, later, gain, way: [*b, array(|i| (b[i] - a[i]) / later)] }
+    }
+}
+
 /// The same for one time, with the acceleration of each slip as a part of what the forces could give it.
 type Ahead<R, const N: usize, const C: usize, const W: usize> = (Grown<R, N, C, W>, [R; C]);
 
@@ -98,8 +105,9 @@ where
         scales: &Scales<S::Scalar, C>,
     ) -> Option<Grown<S::Scalar, N, C, W>> {
         let (grown, onset) = self.soon(stuck, scales, true).ok()?;
-        // An onset that changes the growth by more than the growth is known to.
-        let least = S::Scalar::from_f64(0.25) * self.growth() * grown.later;
+        // Accelerations have rounding errors, and with them the time at which they grow from zero.
+        let least =
+            S::Scalar::from_f64(FACTOR) * rounding::<S::Scalar>() * (self.state.t.abs() + grown.later);
         if above(onset, least) { self.until_onset(stuck, onset) } else { Some(grown) }
     }
 
@@ -205,29 +213,36 @@ where
         stuck: &Choice<S::Scalar, N, C, W>,
         later: S::Scalar,
     ) -> Option<Grown<S::Scalar, N, C, W>> {
-        let regime = stuck.regime;
-        let in_regime = self.system.in_regime(&regime);
-        let mut state = self.state;
-        shift(&mut state, &stuck.accelerations, later);
-        state.t += later;
-        in_regime.project_at(&in_regime.constants(), &mut state, None).ok()?;
-        let equations = S::equations_in(&in_regime, state.t, &state.q, &state.v, self.inputs)?;
-        let b = equations.balance().accelerations;
-        let end = self.grows(&stuck.accelerations, &b, later);
-        let gain = [array(|i| end.q[i] - self.state.q[i]), array(|i| end.v[i] - self.state.v[i])];
-        let way = [b, array(|i| (b[i] - stuck.accelerations[i]) / later)];
-        Some(Grown { regime, later, gain, way })
+        let a = &stuck.accelerations;
+        let in_regime = self.system.in_regime(&stuck.regime);
+        let State { t, q, v } = self.moved(&in_regime, a, later)?;
+        let b = S::equations_in(&in_regime, t, &q, &v, self.inputs)?.balance().accelerations;
+        Some(Grown::of(stuck.regime, later, self.gain(a, &b, later), [a, &b]))
     }
 
-    /// The state after a time in which accelerations grow linearly from `a` to `b`.
-    fn grows(&self, a: &[S::Scalar; N], b: &[S::Scalar; N], later: S::Scalar) -> State<S::Scalar, N> {
+    /// The state after a time with constant accelerations, on the constraints of a regime.
+    fn moved(
+        &self,
+        in_regime: &S::InRegime,
+        a: &[S::Scalar; N],
+        later: S::Scalar,
+    ) -> Option<State<S::Scalar, N>> {
+        let mut state = self.state;
+        shift(&mut state, a, later);
+        state.t += later;
+        in_regime.project_at(&in_regime.constants(), &mut state, None).ok()?;
+        Some(state)
+    }
+
+    /// The changes of coordinates and velocities in a time in which accelerations grow linearly from `a` to
+    /// `b`.
+    fn gain(&self, a: &[S::Scalar; N], b: &[S::Scalar; N], later: S::Scalar) -> [[S::Scalar; N]; 2] {
         let number = S::Scalar::from_f64;
-        let State { t, q, v } = self.state;
-        State {
-            t: t + later,
-            q: array(|i| q[i] + later * (v[i] + later * (a[i] + a[i] + b[i]) / number(6.0))),
-            v: array(|i| v[i] + later * (a[i] + b[i]) / number(2.0)),
-        }
+        let v = &self.state.v;
+        [
+            array(|i| later * (v[i] + later * (a[i] + a[i] + b[i]) / number(6.0))),
+            array(|i| later * (a[i] + b[i]) / number(2.0)),
+        ]
     }
 
     /// The same as far as the regime lasts.
@@ -276,10 +291,7 @@ where
         let zero: S::Scalar = num_traits::Zero::zero();
         let begins = self.beginning(&regime);
         let in_regime = self.system.in_regime(&begins.held(&regime));
-        let mut state = self.state;
-        shift(&mut state, a, later);
-        state.t += later;
-        in_regime.project_at(&in_regime.constants(), &mut state, None).map_err(|_| Not::Grown)?;
+        let state = self.moved(&in_regime, a, later).ok_or(Not::Grown)?;
         // Contacts that bear and friction at rest: the state has been projected onto them, so that what is
         // left of their rates is rounding errors.
         let rested = array(|row| match self.status.get(row) {
@@ -306,16 +318,16 @@ where
                 put(&mut slips, row, number(0.5) * later * scene.rate(row, &there.accelerations));
             }
         }
-        let State { q, v, .. } = self.state;
+        let State { t, q, v } = self.state;
         let b = &there.accelerations;
-        let state = self.grows(a, b, later);
+        let [gain_q, gain_v] = self.gain(a, b, later);
+        let (t, q, v) = (t + later, array(|i| q[i] + gain_q[i]), array(|i| v[i] + gain_v[i]));
         // The slip is that of its own accelerations: in the direction of the load, as it is there.
-        let rates = self.system.laws_at(state.t, &state.q, &state.v, self.inputs).rows.rates;
+        let rates = self.system.laws_at(t, &q, &v, self.inputs).rows.rates;
         let lack = array(|row| if begins.has(row) { slips[row] - rates[row] } else { zero });
-        let equations = S::equations_in(&in_regime, state.t, &state.q, &state.v, self.inputs);
-        let (change, _) = equations.ok_or(Not::Grown)?.saddle.solve(&[zero; N], &lack);
-        let gain = [array(|i| state.q[i] - q[i]), array(|i| (state.v[i] - v[i]) + change[i])];
-        let way = [*b, array(|i| (b[i] - a[i]) / later)];
-        Ok((Grown { regime, later, gain, way }, parts))
+        let equations = S::equations_in(&in_regime, t, &q, &v, self.inputs).ok_or(Not::Grown)?;
+        let (change, _) = equations.saddle.solve(&[zero; N], &lack);
+        let gain = [gain_q, array(|i| gain_v[i] + change[i])];
+        Ok((Grown::of(regime, later, gain, [a, b]), parts))
     }
 }

@@ -13,7 +13,7 @@ use crate::system::error::Cause;
 use crate::system::state::State;
 pub(super) use values::Parts;
 use values::Values;
-pub(super) use values::is_clear;
+pub(super) use values::{PLACES, is_clear};
 use watch::Watch;
 
 /// The most evaluations of all guards that are kept: those of a polynomial of degree 16, and those that test

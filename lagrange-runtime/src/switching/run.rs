@@ -6,6 +6,7 @@ use super::memory::shift;
 use super::scene::{Known, Scene, above, most};
 use super::standstill::is_at_rest;
 use super::{Regime, Row, Switching};
+use crate::integrator::jets::probe::restrained;
 use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
@@ -20,10 +21,6 @@ pub(super) const CHANGES: usize = 4;
 
 /// The longest step, as a multiple of the time that is asked for. Calls for short times share long steps.
 const AHEAD: f64 = 1024.0;
-
-/// The part of the time to go that a first step takes at most: a step at rest that is shorter than this says
-/// nothing about the next one.
-const SHORT: f64 = 16.0;
 
 /// The most times that a step without a known end is tried shorter, by the same factor.
 const NEARER: usize = 4;
@@ -205,11 +202,13 @@ where
                 M::restart(&mut self.memory.inner, self.memory.end);
                 return Ok(());
             }
-            let is_short =
-                S::Scalar::from_f64(SHORT) * (here.t - self.memory.start.t).abs() < (t - here.t).abs();
-            if rests && is_short && S::InRegime::CONSTRAINED {
-                // The length of the next step is not bounded by that of the last one.
-                M::restart(&mut self.memory.inner, here);
+            if rests && S::InRegime::CONSTRAINED {
+                // A step at rest that an event has cut short does not bound the next one.
+                let (left, last) = ((t - here.t).abs(), (here.t - self.memory.start.t).abs());
+                let longest = |last| restrained(left, last, left);
+                if longest(last) < longest(num_traits::Zero::zero()) {
+                    M::restart(&mut self.memory.inner, here);
+                }
             }
             let t_end = if M::IS_PACED { self.steady(t) } else { t };
             let memory = &mut *self.memory;

@@ -10,8 +10,8 @@
 //!
 //! There are no derivatives where ġ is zero, where two guards are zero at once, where a contact that touches
 //! by chance has a part in an impact, and where a motion begins at a contact that bears nothing. A motion is
-//! known to its tolerance only. So there are none either where that leaves no digit of ġ at the zero, or does
-//! not tell which of two zeros comes first.
+//! known to its tolerance only. Where the tolerance leaves no digit of ġ at the zero, or does not tell which
+//! of two zeros comes first, there are no derivatives, either.
 
 use super::choice::Choice;
 use super::guards::{Guard, Guards};

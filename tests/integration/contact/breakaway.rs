@@ -150,12 +150,12 @@ impl Unlike {
     }
 }
 
-/// A foot that bears all it can leaves the rest to the other, until both bear no more. Then one foot may stay,
-/// as the pivot of the other, or both slip, at speeds that grow from nothing.
+/// A foot that bears all it can leaves the rest to the other, until both bear no more. Then one foot may
+/// stay, as the pivot of the other, or both slip, at speeds that grow from nothing.
 #[test]
 fn feet_that_hold_unlike_loads_let_go_at_the_largest() {
     let mut pivots = 0;
-    for number in 0..40 {
+    for number in 0..12 {
         let mut random = Samples::new(number);
         let mut pick = |low: f64, high: f64| random.number(low, high);
         let limits = [pick(0.3, 3.0), pick(0.3, 3.0)];
@@ -175,14 +175,14 @@ fn feet_that_hold_unlike_loads_let_go_at_the_largest() {
             (freed, end.v)
         };
         let ((time, stick), v) = run(1e-9);
-        // The slip that grows is known to the tolerance from a time on that is known less well.
-        close(time, bar.limit(), 1e-6);
+        close(time, bar.limit(), 1e-11);
         pivots += usize::from(stick.contains(&true));
+        // A slip that has just begun is followed in up to a thousand steps, each with its tolerance.
         let (_, tight) = run(1e-12);
         (0..3)
             .for_each(|i| close_on(tight.iter().fold(1.0, |a: f64, b| a.max(b.abs())), v[i], tight[i], 1e-6));
     }
-    assert!((5..35).contains(&pivots), "{pivots}");
+    assert!((1..12).contains(&pivots), "{pivots}");
 }
 
 /// A crate on four feet, in space, pulled at the floor by a load that grows by 20 N/s.

@@ -8,7 +8,7 @@
 use super::super::Row;
 use super::super::Switching;
 use super::super::course::Course;
-use super::super::guards::{Guard, Guards};
+use super::super::guards::{Guard, Guards, PLACES};
 use super::super::scene::{Known, Scales, Scene, Sticking};
 use crate::motion::roots::Fall;
 use crate::number::real::{Ordered, Real};
@@ -17,10 +17,6 @@ use crate::system::state::State;
 /// How often the part of the step is halved in which shares cease to be possible. Halving ends where places
 /// have no number between them.
 const HALVINGS: usize = 64;
-
-/// Parts of the step, between which shares are possible at all places or at none: multiples of the golden
-/// ratio, in order.
-const PLACES: [f64; 8] = [0.090_17, 0.236_07, 0.381_97, 0.527_86, 0.618_03, 0.763_93, 0.854_1, 1.0];
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Guards<'_, S, N, K, C, W>
 where
@@ -43,7 +39,7 @@ where
         (independence.rank < independence.rows).then_some(first)
     }
 
-    /// Where the last possible shares are gone before a part of the step; `None` if some are possible on all
+    /// Where the last possible shares are gone before a part of the step, as far as some places of it show; `None` if some are possible on all
     /// of it, and its start if none are possible right behind that.
     #[cold]
     pub(super) fn shared(

@@ -47,14 +47,17 @@ impl<R: Real, const C: usize, const W: usize> Values<R, C, W> {
     }
 }
 
+/// Parts of a step at which a guard without a polynomial is looked at after its start: multiples of the golden
+/// ratio, where no oscillation repeats itself.
+pub(in crate::switching) const PLACES: [f64; 8] =
+    [0.090_17, 0.236_07, 0.381_97, 0.527_86, 0.618_03, 0.763_93, 0.854_1, 1.0];
+
 /// Whether a guard is so far from zero on a part of the step that it would not come to zero in many such
-/// parts: further than 64 times all that it changes. It is evaluated at multiples of the golden ratio, where
-/// no oscillation repeats itself.
+/// parts: further than 64 times all that it changes.
 #[cold]
 pub(in crate::switching) fn is_clear<R: Ordered>(mut value: impl FnMut(R) -> R) -> bool {
-    let values = [0.0, 0.090_17, 0.236_07, 0.381_97, 0.527_86, 0.618_03, 0.763_93, 0.854_1, 1.0]
-        .each(|place| value(R::from_f64(place)));
-    let least = values.into_iter().fold(values[0], smaller);
-    let most = values.into_iter().fold(values[0], larger);
-    least > R::from_f64(64.0) * (most - least) && values.iter().all(|value| value.is_finite())
+    let first = value(R::zero());
+    let values = PLACES.each(|place| value(R::from_f64(place)));
+    let (least, most) = (values.into_iter().fold(first, smaller), values.into_iter().fold(first, larger));
+    least > R::from_f64(64.0) * (most - least) && [first].iter().chain(&values).all(|value| value.is_finite())
 }
