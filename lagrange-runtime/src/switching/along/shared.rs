@@ -39,8 +39,8 @@ where
         (independence.rank < independence.rows).then_some(first)
     }
 
-    /// Where the last possible shares are gone before a part of the step, as far as some places of it show; `None` if some are possible on all
-    /// of it, and its start if none are possible right behind that.
+    /// Where the last possible shares are gone before a part of the step, as far as some places of it show.
+    /// `None` if some are possible on all of it, and its start if none are possible right behind that.
     #[cold]
     pub(super) fn shared(
         &self,

@@ -47,8 +47,8 @@ impl<R: Real, const C: usize, const W: usize> Values<R, C, W> {
     }
 }
 
-/// Parts of a step at which a guard without a polynomial is looked at after its start: multiples of the golden
-/// ratio, where no oscillation repeats itself.
+/// Parts of a step at which a guard without a polynomial is looked at after its start: multiples of the
+/// golden ratio, where no oscillation repeats itself.
 pub(in crate::switching) const PLACES: [f64; 8] =
     [0.090_17, 0.236_07, 0.381_97, 0.527_86, 0.618_03, 0.763_93, 0.854_1, 1.0];
 
