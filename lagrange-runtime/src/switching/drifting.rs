@@ -193,7 +193,7 @@ where
         };
         let mut last = None;
         for _ in 0..VALUES {
-            let (trial, _) = response.settled(slips, least, noise)?;
+            let (trial, is_done) = response.settled(slips, least, noise)?;
             slips = trial.slips;
             // Where friction holds nearly all, slips are much smaller without the ε than with it.
             if all(&slips, S::Scalar::from_f64(FAR) * least)
@@ -202,7 +202,7 @@ where
             {
                 return Some(Drift { slips, balance: response.balance(&forces) });
             }
-            last = Some(trial);
+            last = is_done.then_some(trial);
             if above(noise, least) {
                 break;
             }
