@@ -9,6 +9,7 @@
 
 use super::scene::{Scene, Status, Sticking, above, entry, most, rounding};
 use super::trials::{Options, Part, changes, combine, parts_at, regime, thresholds};
+use super::turning::has_pairs;
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::linear::SaddlePoint;
@@ -187,7 +188,7 @@ where
     /// The consequences of a regime; `None` where it has no accelerations.
     pub(super) fn trial(&self, regime: Regime<S::Scalar, C, W>) -> Option<Choice<S::Scalar, N, C, W>> {
         let begins = self.beginning(&regime);
-        let has_begun = begins.any();
+        let has_begun = const { has_pairs(&S::ROWS) } && begins.any();
         let drift = if has_begun { Some(self.drift(&regime, &begins)?) } else { None };
         let velocities = match &drift {
             Some(drift) => self.launched(&regime, &begins, &drift.slips)?,

@@ -13,6 +13,7 @@
 use super::choice::Choice;
 use super::memory::shift;
 use super::scene::{Known, Scales, Scene, Status, above, entry, most, put, rounding};
+use super::turning::has_pairs;
 use super::{Regime, Switching};
 use crate::linear::SaddlePoint;
 use crate::number::elements::{Each, array};
@@ -80,6 +81,9 @@ where
         choice: &Choice<S::Scalar, N, C, W>,
         scales: &Scales<S::Scalar, C>,
     ) -> Option<Grown<S::Scalar, N, C, W>> {
+        if const { !has_pairs(&S::ROWS) } {
+            return None;
+        }
         let begins = self.beginning(&choice.regime);
         // The time of a switch has errors, as velocities have. Whether a slip is driven that is hardly driven
         // here shows by how it grows.
@@ -104,6 +108,9 @@ where
         stuck: &Choice<S::Scalar, N, C, W>,
         scales: &Scales<S::Scalar, C>,
     ) -> Option<Grown<S::Scalar, N, C, W>> {
+        if const { !has_pairs(&S::ROWS) } {
+            return None;
+        }
         let (grown, onset) = self.soon(stuck, scales, true).ok()?;
         // Accelerations have rounding errors, and with them the time at which they grow from zero.
         let least =

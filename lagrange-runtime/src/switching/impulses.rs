@@ -3,7 +3,7 @@
 use super::impact::{Demand, Impulses};
 use super::scene::{Scene, Sticking, above, entry, most, put};
 use super::trials::{Options, Part, regime};
-use super::turning::{TURNS, Turning, newton, pairs};
+use super::turning::{TURNS, Turning, has_pairs, newton, pairs};
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
 use crate::number::elements::{Each, array};
@@ -47,7 +47,7 @@ where
         // A slip in two directions is sought so that friction opposes the slip that follows.
         let zero: S::Scalar = num_traits::Zero::zero();
         let turns = |row: usize| entry(&regime.slip, row) != zero;
-        if !pairs(&S::ROWS).any(|[row, _]| turns(row)) {
+        if const { !has_pairs(&S::ROWS) } || !pairs(&S::ROWS).any(|[row, _]| turns(row)) {
             return solve(&in_regime, v).map(found);
         }
         let smooth = self.without_friction(parts, options, demand)?;

@@ -2,7 +2,7 @@
 
 use super::choice::Sizes;
 use super::scene::{Scene, Status, above, entry, extent, most, product, put};
-use super::turning::pairs;
+use super::turning::{has_pairs, pairs};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::linear::SaddlePoint;
@@ -65,6 +65,9 @@ where
     /// motion. `None` where no slip is that slow.
     #[cold]
     pub(super) fn resting(&self) -> Option<Self> {
+        if const { !has_pairs(&S::ROWS) } {
+            return None;
+        }
         let mut status = self.status;
         for rows in pairs(&S::ROWS) {
             let [x, y] = rows.each(|row| entry(&self.laws.rows.rates, row));

@@ -5,6 +5,7 @@ use num_traits::Zero;
 use super::choice::Choice;
 use super::scene::{Scene, above, entry, put, rounding};
 use super::trials::Part;
+use super::turning::has_pairs;
 use super::{Along, Coefficients, Regime, Row, Switching};
 use crate::number::elements::array;
 use crate::number::real::Real;
@@ -74,7 +75,7 @@ where
         row: usize,
     ) -> Option<Choice<S::Scalar, N, C, W>> {
         let Some(Row::Friction { pair: Some(_), .. }) = S::ROWS.get(row) else { return None };
-        if present.active.get(row) != Some(&true) {
+        if const { !has_pairs(&S::ROWS) } || present.active.get(row) != Some(&true) {
             return None;
         }
         let independence = self.balance(present, &self.state.v)?.0.independence;

@@ -117,6 +117,18 @@ pub(super) fn newton<R: Real, const N: usize>(
     None
 }
 
+/// Whether any friction acts in two directions: a system without has no code for what follows from them.
+pub(super) const fn has_pairs<const C: usize>(rows: &[Row; C]) -> bool {
+    let mut row = 0;
+    while row < C {
+        if matches!(rows[row], Row::Friction { pair: Some(_), .. }) {
+            return true;
+        }
+        row += 1;
+    }
+    false
+}
+
 /// The rows of each slip in two directions.
 pub(super) fn pairs<const C: usize>(rows: &[Row; C]) -> impl Iterator<Item = [usize; 2]> + '_ {
     rows.iter().enumerate().filter_map(|(row, kind)| match kind {

@@ -10,6 +10,7 @@ use super::super::Switching;
 use super::super::course::Course;
 use super::super::guards::{Guard, Guards, PLACES};
 use super::super::scene::{Known, Scales, Scene, Sticking};
+use super::super::turning::has_pairs;
 use crate::motion::roots::Fall;
 use crate::number::real::{Ordered, Real};
 use crate::system::state::State;
@@ -32,6 +33,9 @@ where
     /// The first guard that is watched of the frictions that share a load; `None` where the motion determines
     /// all reactions.
     pub(super) fn sharing(&self) -> Option<Guard> {
+        if const { !has_pairs(&S::ROWS) } {
+            return None;
+        }
         let first = self.all().find(|&guard| self.sticks_in_two_directions(guard))?;
         let State { t, q, v } = self.start;
         let equations = S::equations_in(self.in_regime, *t, q, v, self.inputs)?;
@@ -47,6 +51,9 @@ where
         course: &Course<'_, S::Scalar, N>,
         until: S::Scalar,
     ) -> Option<Fall<S::Scalar>> {
+        if const { !has_pairs(&S::ROWS) } {
+            return None;
+        }
         let number = S::Scalar::from_f64;
         let holds = |place: S::Scalar| self.holds(&course.at(self.start, place)[0]);
         let mut low = num_traits::Zero::zero();
