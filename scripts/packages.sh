@@ -40,7 +40,8 @@ deny() {
     cargo deny --all-features check licenses bans sources
     local offline=()
     cargo deny fetch db 2>/dev/null || offline=(--offline)
-    if [ ${#offline[@]} = 0 ] || [ -d "${CARGO_HOME:-$HOME/.cargo}/advisory-dbs" ]; then
+    # A fetch that fails leaves a folder without a database.
+    if [ ${#offline[@]} = 0 ] || compgen -G "${CARGO_HOME:-$HOME/.cargo}/advisory-dbs/*/" >/dev/null; then
         cargo deny "${offline[@]}" --all-features check advisories
     else
         echo "packages: the database of known faults is out of reach: they are not looked for"
