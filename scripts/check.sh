@@ -44,27 +44,32 @@ usage: scripts/check.sh NAME …
 EOF
 }
 
+lagrangian_features=lagrangian/wide,lagrangian/double-double,lagrangian/ensemble,lagrangian/pictures
+
 fmt() { cargo fmt --all --check; }
 
 clippy() {
-    local all=lagrangian/wide,lagrangian/double-double,lagrangian/ensemble,lagrangian/pictures
     # Cargo locks a folder while it builds: tests can be built at the same time in theirs.
     local -x CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target}/clippy
     # The tests of the benchmark crate are the benchmarks again: `benchmarks` has them.
-    cargo clippy --workspace --exclude benchmarks --all-targets --features $all -- -D warnings
+    cargo clippy --workspace --exclude benchmarks --all-targets --features $lagrangian_features -- -D warnings
     # Tests that `cargo test` leaves out are no targets of the former.
-    cargo clippy --workspace --bins --test '*' --features $all -- -D warnings
+    cargo clippy --workspace --bins --test '*' --features $lagrangian_features -- -D warnings
     cargo clippy -p lagrange-runtime --no-default-features --features libm,double-double -- -D warnings
 }
 
-docs() { RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --exclude benchmarks --features lagrangian/double-double; }
+# In the folder of the lints, with their features: both check the same dependencies.
+docs() {
+    CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target}/clippy RUSTDOCFLAGS="-D warnings" \
+        cargo doc --workspace --no-deps --exclude benchmarks --features $lagrangian_features
+}
 
 # `cargo test` is quick from nothing. What it leaves out has one selection of packages and features here, so that each
 # crate is built once more at most. The engine runs at every expansion: optimised, it repays its compilation.
 tests() {
     cargo --config profile.dev.package.lagrange-codegen.opt-level=1 test \
         -p lagrangian -p lagrange-codegen -p lagrange-runtime \
-        --features lagrangian/wide,lagrangian/double-double,lagrangian/ensemble,lagrangian/pictures "$@"
+        --features $lagrangian_features "$@"
 }
 
 integration() { tests --test integration --test motions; }
@@ -76,8 +81,9 @@ examples() { tests --test examples; }
 features() {
     tests --test batch --test digits
     tests --doc book/src/
-    # With the slow ones; what takes minutes is `roots`.
-    tests --lib -p lagrange-runtime -- --include-ignored --skip a_million --skip many_steps
+    # With the slow ones; what takes minutes is `roots`. The engine's own tests need no feature: `cargo test` has them.
+    cargo test -p lagrange-runtime --lib --features lagrange-runtime/wide,lagrange-runtime/double-double -- \
+        --include-ignored --skip a_million --skip many_steps
 }
 
 companions() { cargo test -p cargo-lagrange -p lagrange-ensemble -p lagrange-pictures; }
@@ -135,8 +141,8 @@ gallery() { scripts/gallery.sh test; }
 gpu() { scripts/gpu.sh all; }
 
 # Two halves that use folders of their own: most of either keeps one core busy.
-tested="fmt docs integration engine examples features companions ui stack command"
-beside="clippy firmware"
+tested="fmt integration engine examples features companions ui stack command"
+beside="clippy docs firmware"
 all="$tested $beside book random editor packages benchmarks lanes tables mpi digits long drift roots contacts gallery gpu"
 
 # The checks that a name stands for.

@@ -3,6 +3,11 @@
 //!
 //! A page talks to its module by numbers alone: no memory is shared and no text crosses the border. What has
 //! a name is in the catalogue (`src/main.rs`), which the build writes beside the modules.
+//!
+//! Without the standard library, `x.sin()` is the function that the equations have, so a module has one sine.
+#![no_std]
+
+extern crate alloc;
 
 pub mod models;
 mod page;
@@ -10,6 +15,8 @@ mod scene;
 
 pub use page::Page;
 pub use scene::Scene;
+
+use alloc::vec::Vec;
 
 use lagrangian::{MotionError, State, System};
 

@@ -1,5 +1,7 @@
 //! [`Page`]: a system, its state, and what a browser asks of them.
 
+use alloc::vec::Vec;
+
 use lagrangian::State;
 
 use crate::scene::Scene;

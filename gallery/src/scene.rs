@@ -1,5 +1,7 @@
 //! [`Scene`]: a drawing as numbers.
 
+use alloc::vec::Vec;
+
 use crate::Point;
 
 /// Lines, discs, bodies, arrows and points of a path, each as its kind, its colour, how many numbers follow,

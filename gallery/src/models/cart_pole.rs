@@ -1,5 +1,8 @@
 //! A pole on a cart, which a motor swings up and balances.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use lagrangian::prelude::*;
 
 use super::double_pendulum::turned;

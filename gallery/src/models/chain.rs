@@ -1,5 +1,8 @@
 //! A chain of ten links, hung up at one end.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use core::f64::consts::FRAC_PI_2;
 
 use lagrangian::prelude::*;

@@ -1,5 +1,8 @@
 //! Two point masses on massless rods.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use lagrangian::prelude::*;
 
 use crate::{Model, Point, Scene, Slider, follow};

@@ -1,6 +1,9 @@
 //! A four-bar linkage: three bars and the frame, closed by a constraint whose multipliers are the force in a
 //! hinge.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use lagrangian::prelude::*;
 
 use super::double_pendulum::turned;

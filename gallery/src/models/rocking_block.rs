@@ -1,5 +1,8 @@
 //! A block that rocks on its corners until it stands: infinitely many impacts in finite time.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use lagrangian::prelude::*;
 
 use crate::{Model, Point, Scene, Slider, follow};

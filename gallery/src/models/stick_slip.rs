@@ -1,5 +1,8 @@
 //! A block on a belt, held by a spring: it sticks, slips and sticks again.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use lagrangian::prelude::*;
 
 use crate::{Model, Point, Scene, Slider, follow};

@@ -1,5 +1,8 @@
 //! Three bodies that attract each other.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use lagrangian::prelude::*;
 
 use crate::{Model, Point, Scene, Slider, follow};

@@ -1,5 +1,8 @@
 //! A spinning top with its tip on the ground. Its orientation is a coordinate: no attitude is singular.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use core::f64::consts::TAU;
 
 use lagrangian::prelude::*;

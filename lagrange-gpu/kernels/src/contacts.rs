@@ -3,7 +3,7 @@
 
 use lagrangian::prelude::*;
 
-use crate::{End, G, Until, spread};
+use crate::{End, G, Until, end, spread};
 
 /// A puck that is thrown onto a rough floor.
 #[derive(Clone, Copy, Debug)]
@@ -120,49 +120,45 @@ fn a_puck(index: u64) -> State<f64, 2> {
 }
 
 /// A puck that bounces and slides.
-pub fn puck(index: u64, &(end, tolerance): &Until) -> End<2> {
-    let mut motion = Puck.simulate(a_puck(index)).with_tolerance(tolerance);
-    motion.advance_to(end).copied()
+pub fn puck(index: u64, until: &Until) -> End<2> {
+    end(Puck.simulate(a_puck(index)), until)
 }
 
 /// The highest point of a puck after its first impact.
-pub fn puck_apex(index: u64, &(end, tolerance): &Until) -> End<2> {
+pub fn puck_apex(index: u64, &(time, tolerance): &Until) -> End<2> {
     let mut motion = Puck.simulate(a_puck(index)).with_tolerance(tolerance);
-    match motion.events(PuckEvent::Apex, end).falling().next() {
+    match motion.events(PuckEvent::Apex, time).falling().next() {
         Some(apex) => Ok(apex?.state),
-        None => motion.advance_to(end).copied(),
+        None => motion.advance_to(time).copied(),
     }
 }
 
 /// A mass that sticks to its belt and slips.
-pub fn belt(index: u64, &(end, tolerance): &Until) -> End<1> {
+pub fn belt(index: u64, until: &Until) -> End<1> {
     let [place, speed] = spread(index);
-    let mut motion = Belt.simulate(State::new([place], [speed])).with_tolerance(tolerance);
-    motion.advance_to(end).copied()
+    end(Belt.simulate(State::new([place], [speed])), until)
 }
 
 /// A puck in fixed steps.
-pub fn puck_steps(index: u64, &(end, _): &Until) -> End<2> {
+pub fn puck_steps(index: u64, &(time, _): &Until) -> End<2> {
     let mut motion = Puck.stepper::<Jet<4>>(a_puck(index));
     for _ in 0..64 {
-        motion.step(end / 64.0, &[])?;
+        motion.step(time / 64.0, &[])?;
     }
     Ok(*motion.state())
 }
 
 /// A stone that is pushed over the ice and stops.
-pub fn stone(index: u64, &(end, tolerance): &Until) -> End<2> {
+pub fn stone(index: u64, until: &Until) -> End<2> {
     let [across, along] = spread(index);
-    let mut motion = Stone.simulate(State::new([0.0; 2], [across, along])).with_tolerance(tolerance);
-    motion.advance_to(end).copied()
+    end(Stone.simulate(State::new([0.0; 2], [across, along])), until)
 }
 
 /// A pendulum that is let go and comes to rest.
-pub fn bearing(index: u64, &(end, tolerance): &Until) -> End<3> {
+pub fn bearing(index: u64, until: &Until) -> End<3> {
     let phi = 1.0 + 0.5 * spread(index)[0];
     let start = State::new([0.5 * phi.sin(), -0.5 * phi.cos(), phi], [0.0; 3]);
-    let mut motion = Bearing.simulate(start).with_tolerance(tolerance);
-    motion.advance_to(end).copied()
+    end(Bearing.simulate(start), until)
 }
 
 lagrange_gpu::kernels!(puck, puck_apex, puck_steps, belt, stone, bearing);

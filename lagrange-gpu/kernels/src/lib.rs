@@ -12,8 +12,8 @@
 mod contacts;
 mod systems;
 
-use lagrangian::FixedStep;
 use lagrangian::prelude::*;
+use lagrangian::{Adaptive, Control, FixedStep, Simulation};
 
 #[cfg(feature = "contacts")]
 pub use contacts::{Bearing, Belt, Puck, Stone, bearing, belt, puck, puck_apex, puck_steps, stone};
@@ -59,31 +59,17 @@ where
     Ok(*motion.state())
 }
 
-/// The end of a motion under error control, by series.
-fn adaptive<S, const N: usize, const K: usize>(
-    system: &S,
-    start: State<f64, N>,
-    &(end, tolerance): &Until,
+/// The end of a motion under error control, by the method that it has.
+fn end<S, C, M, const N: usize, const K: usize>(
+    motion: Simulation<'_, S, C, M, N, K>,
+    &(time, tolerance): &Until,
 ) -> End<N>
 where
     S: System<N, K, Scalar = f64>,
+    C: Control<f64, N, K>,
+    M: Adaptive<S, C, N, K>,
 {
-    let mut motion = system.simulate(start).with_tolerance(tolerance);
-    motion.advance_to(end).copied()
-}
-
-/// The end of a motion under error control, by Dormand and Prince's method. It needs little memory, and so
-/// less time on a processor whose threads share a small cache.
-fn by_dop853<S, const N: usize, const K: usize>(
-    system: &S,
-    start: State<f64, N>,
-    &(end, tolerance): &Until,
-) -> End<N>
-where
-    S: System<N, K, Scalar = f64>,
-{
-    let mut motion = system.simulate_with::<Dop853>(start).with_tolerance(tolerance);
-    motion.advance_to(end).copied()
+    motion.with_tolerance(tolerance).advance_to(time).copied()
 }
 
 /// The double pendulum of an index, and its start: at rest, at any angles.
@@ -140,13 +126,14 @@ pub fn double_pendulum_jet6(index: u64, steps: &Steps) -> End<2> {
 /// A double pendulum under error control.
 pub fn double_pendulum_adaptive(index: u64, until: &Until) -> End<2> {
     let (system, start) = a_double_pendulum(index);
-    adaptive(&system, start, until)
+    end(system.simulate(start), until)
 }
 
-/// A double pendulum under error control, by Dormand and Prince's method.
+/// A double pendulum under error control, by Dormand and Prince's method. It needs little memory, and so less
+/// time on a processor whose threads share a small cache.
 pub fn double_pendulum_dop853(index: u64, until: &Until) -> End<2> {
     let (system, start) = a_double_pendulum(index);
-    by_dop853(&system, start, until)
+    end(system.simulate_with::<Dop853>(start), until)
 }
 
 /// A pole that a feedback holds up, by series of order 6.
@@ -158,13 +145,13 @@ pub fn cart_pole_jet6(index: u64, steps: &Steps) -> End<2> {
 /// A pole that falls, under error control.
 pub fn cart_pole_adaptive(index: u64, until: &Until) -> End<2> {
     let (system, start) = a_cart_pole(index);
-    adaptive(&system, start, until)
+    end(system.simulate(start), until)
 }
 
 /// A pole that falls under error control, by Dormand and Prince's method.
 pub fn cart_pole_dop853(index: u64, until: &Until) -> End<2> {
     let (system, start) = a_cart_pole(index);
-    by_dop853(&system, start, until)
+    end(system.simulate_with::<Dop853>(start), until)
 }
 
 /// A planet by series of order 6.
@@ -176,13 +163,13 @@ pub fn kepler_jet6(index: u64, steps: &Steps) -> End<2> {
 /// A planet under error control.
 pub fn kepler_adaptive(index: u64, until: &Until) -> End<2> {
     let (system, start) = a_planet(index);
-    adaptive(&system, start, until)
+    end(system.simulate(start), until)
 }
 
 /// A planet under error control, by Dormand and Prince's method.
 pub fn kepler_dop853(index: u64, until: &Until) -> End<2> {
     let (system, start) = a_planet(index);
-    by_dop853(&system, start, until)
+    end(system.simulate_with::<Dop853>(start), until)
 }
 
 /// Five links by series of order 6.
@@ -194,13 +181,13 @@ pub fn links_jet6(index: u64, steps: &Steps) -> End<{ Links::LINKS }> {
 /// Five links under error control.
 pub fn links_adaptive(index: u64, until: &Until) -> End<{ Links::LINKS }> {
     let (system, start) = a_chain(index);
-    adaptive(&system, start, until)
+    end(system.simulate(start), until)
 }
 
 /// Five links under error control, by Dormand and Prince's method.
 pub fn links_dop853(index: u64, until: &Until) -> End<{ Links::LINKS }> {
     let (system, start) = a_chain(index);
-    by_dop853(&system, start, until)
+    end(system.simulate_with::<Dop853>(start), until)
 }
 
 /// A linkage with its constraints by series of order 6.
@@ -212,13 +199,13 @@ pub fn four_bar_jet6(index: u64, steps: &Steps) -> End<3> {
 /// A linkage with its constraints under error control.
 pub fn four_bar_adaptive(index: u64, until: &Until) -> End<3> {
     let (system, start) = a_four_bar(index)?;
-    adaptive(&system, start, until)
+    end(system.simulate(start), until)
 }
 
 /// A linkage with its constraints under error control, by Dormand and Prince's method.
 pub fn four_bar_dop853(index: u64, until: &Until) -> End<3> {
     let (system, start) = a_four_bar(index)?;
-    by_dop853(&system, start, until)
+    end(system.simulate_with::<Dop853>(start), until)
 }
 
 lagrange_gpu::kernels!(

@@ -31,7 +31,7 @@ const FACTOR: f64 = 16.0;
 /// Rounds that find the time at which slips begin. Each leaves the square of the span of the one before.
 const SECANTS: usize = 4;
 
-/// The largest of some accelerations.
+/// The largest of some accelerations, at least zero.
 fn most_of<R: Real, const C: usize>(parts: &[R; C]) -> R {
     parts.iter().fold(R::zero(), |a, &b| most(a, b))
 }

@@ -12,13 +12,9 @@ use crate::number::rounded::Rounded;
 use crate::system::error::Cause;
 use crate::system::state::State;
 pub(super) use values::Parts;
-use values::Values;
 pub(super) use values::{PLACES, is_clear};
+use values::{Seen, Values};
 use watch::Watch;
-
-/// The most evaluations of all guards that are kept: those of a polynomial of degree 16, and those that test
-/// it.
-const KEPT: usize = 24;
 
 /// The most halvings of a step before its guards are given up.
 const HALVINGS: i32 = 24;
@@ -282,20 +278,12 @@ where
         let late = most(start.abs(), end.abs()) / (end - start).abs();
         loop {
             let width = to - from;
-            let mut kept = [(-one, Values::of(zero)); KEPT];
-            let mut count = 0;
-            let mut values = |place: S::Scalar| {
-                if let Some((_, values)) = kept.iter().take(count).find(|(at, _)| *at == place) {
-                    return *values;
-                }
+            let mut seen = Seen::new();
+            let mut look = |place: S::Scalar| {
                 let part = if place == one { to } else { from + place * width };
-                let values = at(part).map_or(nan, |state| self.values(&state));
-                if let Some(free) = kept.get_mut(count) {
-                    *free = (place, values);
-                    count += 1;
-                }
-                values
+                at(part).map_or(nan, |state| self.values(&state))
             };
+            let mut values = |place: S::Scalar| seen.at(place, &mut look);
             let mut earliest: Option<(S::Scalar, Guard)> = None;
             let mut unresolved = None;
             for guard in self.sampled() {

@@ -48,7 +48,7 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// The slips that begin in a regime.
+    /// The slips in two directions that begin in a regime.
     pub(super) fn beginning(&self, regime: &Regime<S::Scalar, C, W>) -> Begins<C> {
         let mut begins = [false; C];
         for rows in pairs(&S::ROWS) {

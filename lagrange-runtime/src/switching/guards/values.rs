@@ -47,6 +47,37 @@ impl<R: Real, const C: usize, const W: usize> Values<R, C, W> {
     }
 }
 
+/// The most evaluations of all guards that are kept: those of a polynomial of degree 16, and those that test
+/// it.
+const KEPT: usize = 24;
+
+/// Values at the places of a part of the step that have been looked at.
+pub(super) struct Seen<R, const C: usize, const W: usize> {
+    kept: [(R, Values<R, C, W>); KEPT],
+    count: usize,
+}
+
+impl<R: Real, const C: usize, const W: usize> Seen<R, C, W> {
+    pub fn new() -> Self {
+        Self { kept: [(R::zero(), Values::of(R::zero())); KEPT], count: 0 }
+    }
+
+    /// The values at a place. `look` computes them, where it has not been asked before.
+    // One copy for all searches: they are many, and `look` is large.
+    #[inline(never)]
+    pub fn at(&mut self, place: R, look: &mut impl FnMut(R) -> Values<R, C, W>) -> Values<R, C, W> {
+        if let Some((_, values)) = self.kept.iter().take(self.count).find(|(at, _)| *at == place) {
+            return *values;
+        }
+        let values = look(place);
+        if let Some(free) = self.kept.get_mut(self.count) {
+            *free = (place, values);
+            self.count += 1;
+        }
+        values
+    }
+}
+
 /// Parts of a step at which a guard without a polynomial is looked at after its start: multiples of the
 /// golden ratio, where no oscillation repeats itself.
 pub(in crate::switching) const PLACES: [f64; 8] =

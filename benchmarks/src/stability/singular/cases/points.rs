@@ -51,7 +51,7 @@ impl Joints {
     }
 }
 
-/// Starts of one linkage each.
+/// Starts of linkages, one at each offset from the singular position.
 fn starts(name: &'static str, count: usize, mut system: impl FnMut() -> (Joints, f64)) -> Starts<Joints, 4> {
     let runs = offsets(count).filter_map(|d| {
         let (system, rate) = system();
