@@ -10,12 +10,13 @@ use nalgebra::{SMatrix, SVector};
 
 use super::response::{Factored, factored};
 use super::{Tangent, Variation, turning};
+use crate::constraints::{Level, Metric, is_near};
 use crate::linear::stored::Stored;
 use crate::linear::{Ldlt, Saddle, SaddlePoint, TangentSpace};
 use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real};
 use crate::system::attitude::{drift, triple};
-use crate::system::error::MotionError;
+use crate::system::error::{Cause, MotionError};
 use crate::system::state::State;
 
 /// Small deviations from a state.
@@ -301,6 +302,26 @@ fn drift_of<R: Real, const N: usize>(
     blocks
 }
 
+/// Refuses a state that violates constraints, by the rule for the start of a motion.
+#[cold]
+fn refuse_off<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    found: &Factored<S::Scalar, N, K, C>,
+) -> Result<(), Cause>
+where
+    S: Tangent<N, K, C>,
+{
+    let residuals = system.deviations_at(state.t, &state.q, &state.v);
+    let metric = Metric::of(&*found.saddle);
+    let slopes = metric.slopes(&*found.variation.gradients);
+    for level in [Level::Positions, Level::Velocities] {
+        is_near(&*found.saddle, (&metric, &slopes), state, &residuals, level)
+            .map_err(|cause| cause.named(&S::NAMES))?;
+    }
+    Ok(())
+}
+
 /// With `turning` axes the rates of deviations are those seen in axes that turn with the bodies, in which
 /// equations about a steady spin do not change. The components themselves stay those of the moment.
 pub(super) fn linearize<S, const N: usize, const K: usize, const C: usize>(
@@ -315,6 +336,9 @@ where
 {
     let constants = system.constants();
     let found = factored(system, &constants, state, u)?;
+    if C > 0 {
+        refuse_off(system, state, &found).map_err(|cause| MotionError { cause, t: state.t })?;
+    }
     if S::TURNS.contains(&true) {
         turning::refuse(system, &constants, state, u, &found)?;
     }

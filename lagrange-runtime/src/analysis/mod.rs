@@ -258,8 +258,9 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     ///
     /// # Errors
     /// A singular mass matrix or constraints without a solution, with the time; a value that is not finite;
-    /// [`Cause::TurningConstraint`](crate::Cause::TurningConstraint), where the gradient of a constraint
-    /// turns by itself.
+    /// [`Cause::PositionViolated`](crate::Cause::PositionViolated) or `VelocityViolated` for a state off the
+    /// constraints; [`Cause::TurningConstraint`](crate::Cause::TurningConstraint), where the gradient of a
+    /// constraint turns by itself.
     #[inline]
     fn linearize(
         &self,
@@ -298,9 +299,7 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     /// Golub and Van Loan, *Matrix Computations*, 4th ed., chapters 7 and 8.
     ///
     /// # Errors
-    /// A singular mass matrix or constraints without a solution, with the time; a value that is not finite;
-    /// [`Cause::TurningConstraint`](crate::Cause::TurningConstraint),
-    /// [`Cause::NoEigenvalues`](crate::Cause::NoEigenvalues).
+    /// Those of [`linearize`](Self::linearize), and [`Cause::NoEigenvalues`](crate::Cause::NoEigenvalues).
     #[cfg(feature = "std")]
     #[inline]
     fn modes(

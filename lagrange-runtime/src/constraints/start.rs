@@ -3,7 +3,7 @@
 use super::residuals::{Level, ULPS};
 use super::retraction::{From, Retraction, project, slopes};
 use super::solution::regular_at;
-use super::{Residuals, Surface};
+use super::{Metric, Residuals, Surface};
 use crate::linear::SaddlePoint;
 use crate::number::elements::Each;
 use crate::number::real::Real;
@@ -128,25 +128,41 @@ where
     S: Surface<N, K, C>,
 {
     let Retraction { state, saddle, slopes, metric, .. } = at;
-    let part = S::Scalar::from_f64(SHARE) * S::Scalar::epsilon().sqrt();
+    is_near(saddle, (metric, slopes), state, residuals, level).map_err(|cause| cause.named(&S::NAMES))
+}
+
+/// The same by the factors and slopes of the constraints, where their names are not known.
+///
+/// # Errors
+/// The constraint that is violated, without its name.
+pub(crate) fn is_near<R, M, const N: usize, const C: usize>(
+    saddle: &M,
+    (metric, slopes): (&Metric<R, N>, &[R; C]),
+    state: &State<R, N>,
+    residuals: &Residuals<R, C>,
+    level: Level,
+) -> Result<(), Cause>
+where
+    R: Real,
+    M: SaddlePoint<R, N, C>,
+{
+    let part = R::from_f64(SHARE) * R::epsilon().sqrt();
     let numbers = if level == Level::Positions { &state.q } else { &state.v };
     // A constraint such as z = 0 has no size of its own: the state has, in its numbers and in the kinetic
     // metric.
     let by_state = slopes.each(|slope| slope * metric.extent(numbers));
     let is_small = || {
-        let (change, _) = saddle.solve(&[num_traits::Zero::zero(); N], residuals.values(level));
-        let largest = |values: &[S::Scalar; N]| {
-            values.iter().fold(num_traits::Zero::zero(), |largest: S::Scalar, x| largest.max(x.abs()))
-        };
+        let (change, _) = saddle.solve(&[R::zero(); N], residuals.values(level));
+        let largest = |values: &[R; N]| values.iter().fold(R::zero(), |largest: R, x| largest.max(x.abs()));
         let excess = largest(&change) - part * largest(numbers);
         excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
     };
-    if residuals.is_within_apart(level, part, &[num_traits::Zero::zero(); C])
+    if residuals.is_within_apart(level, part, &[R::zero(); C])
         || residuals.is_within_apart(level, part, &by_state) && is_small()
     {
         return Ok(());
     }
-    Err(residuals.cause(level, slopes).named(&S::NAMES))
+    Err(residuals.cause(level, slopes))
 }
 
 /// The effect of the last digits of the coordinates on the residuals, as scales whose ulp is that effect.

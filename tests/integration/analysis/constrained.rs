@@ -54,6 +54,34 @@ fn s04_normal_force_and_frequency_on_an_incline() {
     close(model.drift::<2>().unwrap().norm(), 0.0, 1e-12);
 }
 
+/// There is no motion for small deviations to deviate from. The rule is that for the start of a motion.
+#[test]
+fn a_state_off_the_constraints_has_no_linear_model() {
+    let system = Incline { angle: FRAC_PI_6 };
+    let (sin, cos) = FRAC_PI_6.sin_cos();
+    let mut refused = [0; 2];
+    for off in [0.0, 1e-14, 1e-12, 1e-10, 1e-9, 1e-8, 1e-6, 1e-3, 1.0] {
+        let position = State::at_rest([0.7 * cos + off * sin, 0.7 * sin - off * cos]);
+        let velocity = State::new([0.7 * cos, 0.7 * sin], [0.3 * cos + off * sin, 0.3 * sin - off * cos]);
+        for (state, count) in [position, velocity].iter().zip(&mut refused) {
+            let start = system.simulate(*state).advance_to(1e-3).err();
+            let found = [system.linearize(state, &[]).err(), system.modes(state, &[]).err()];
+            assert_eq!(found, [start.clone(), start.clone()], "{off:e}");
+            *count += usize::from(start.is_some());
+            if off == 1e-3 {
+                let name = |name: Name| name.to_string() == "line";
+                assert!(match start.unwrap().cause {
+                    Cause::PositionViolated { name: found, .. } => state.v == [0.0; 2] && name(found),
+                    Cause::VelocityViolated { name: found, .. } => state.v != [0.0; 2] && name(found),
+                    _ => false,
+                });
+            }
+        }
+    }
+    // Those from 9e-10 of the numbers on.
+    assert_eq!(refused, [5, 5]);
+}
+
 /// Two masses on wall and floor joined by a bar, all coordinates kept (S05).
 struct Ladder {
     m: [f64; 2],
