@@ -39,8 +39,8 @@ usage: scripts/check.sh NAME …
   gpu         kernels of a graphics processor: built, assembled, interpreted bit by bit, and run where one is (installs a
               nightly toolchain and NVIDIA's assembler)
   all         everything above but stack-release
-  ci          the same without book, random, editor, packages, benchmarks, lanes, tables, mpi, digits, long, drift, roots, contacts,
-              gallery and gpu, and of firmware without sizes, instructions and Miri; in two halves at once
+  ci          the same without book, random, editor, benchmarks, lanes, tables, mpi, digits, long, drift, roots, contacts, gallery
+              and gpu, of packages the files alone, and of firmware without sizes, instructions and Miri; in two halves at once
 EOF
 }
 
@@ -141,9 +141,9 @@ gallery() { scripts/gallery.sh test; }
 gpu() { scripts/gpu.sh all; }
 
 # Two halves that use folders of their own: most of either keeps one core busy.
-tested="fmt integration engine examples features companions ui stack command"
+tested="fmt packages integration engine examples features companions ui stack command"
 beside="clippy docs firmware"
-all="$tested $beside book random editor packages benchmarks lanes tables mpi digits long drift roots contacts gallery gpu"
+all="$tested $beside book random editor benchmarks lanes tables mpi digits long drift roots contacts gallery gpu"
 
 # The checks that a name stands for.
 names() {
@@ -158,7 +158,7 @@ halves() {
     local log first second failed=0
     log=$(mktemp)
     set -m
-    scripts/check.sh $tested & first=$!
+    PACKAGES=${PACKAGES:-files} scripts/check.sh $tested & first=$!
     FIRMWARE=${FIRMWARE:-ci} scripts/check.sh $beside >"$log" 2>&1 & second=$!
     wait -n || failed=$?
     if [ $failed != 0 ]; then kill -- -$first -$second 2>/dev/null || true; fi

@@ -6,7 +6,8 @@ cd "$(dirname "$0")/.."
 usage() {
     cat <<'END'
 usage: scripts/packages.sh COMMAND …
-  build       each package is built from what would be published, its licences and README among it
+  files       each package is made of what would be published, its licences and README among it
+  build       the same, and each is built from that alone
   deny        licences, sources and known faults of what they depend on, by deny.toml (installs cargo-deny: minutes)
   oldest      they build with the oldest compiler and the oldest versions of dependencies that they say are enough (installs
               that compiler and a nightly one, which finds these versions)
@@ -24,7 +25,7 @@ export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
 
 toolchain() { rustup toolchain list | grep -q "^$1-" || rustup toolchain install --profile minimal "$1"; }
 
-build() {
+files() {
     local package file files
     for package in "${published[@]}"; do
         files=$(cargo package --list --allow-dirty -p "$package")
@@ -32,6 +33,11 @@ build() {
             grep -qx "$file" <<<"$files" || { echo "packages: $package lacks $file" >&2; exit 1; }
         done
     done
+    cargo package --workspace --exclude benchmarks --allow-dirty --quiet --no-verify
+}
+
+build() {
+    files
     cargo package --workspace --exclude benchmarks --allow-dirty --quiet
 }
 
@@ -101,7 +107,7 @@ if [ "$1" = semver ]; then
 fi
 for name in "$@"; do
     case $name in
-        build | deny | oldest | docs) "$name" ;;
+        files | build | deny | oldest | docs) "$name" ;;
         all) build; deny; oldest; docs; semver ;;
         *) usage; exit 2 ;;
     esac

@@ -7,7 +7,7 @@
 
 use super::choice::Sizes;
 use super::impact::Struck;
-use super::scene::{Known, Scales, Scene, Status, above, entry, extent, most, rounding};
+use super::scene::{Known, Scales, Scene, Status, above, entry, extent, most, put, rounding};
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
 use crate::number::elements::array;
@@ -41,14 +41,19 @@ where
         let State { t, q, v } = state;
         let rates = self.system.laws_at(*t, q, v, self.inputs).rows.rates;
         let (mut closed, mut wanted) = (*regime, [zero; C]);
-        let is_against = |row: &usize| (against(*row) * rates[*row]).is_positive();
+        let is_against = |row: &usize| (against(*row) * entry(&rates, *row)).is_positive();
         if !(0..C).any(|row| is_against(&row)) {
             return;
         }
         let Some((_, sizes)) = self.balance(regime, v) else { return };
-        for row in (0..C).filter(is_against).filter(|&row| self.is_noise(row, rates[row], &sizes, v)) {
-            (closed.active[row], closed.slip[row]) = (true, zero);
-            wanted[row] = -rates[row].part(0);
+        // Not by index: the compiler for graphics processors does not rule out its panic here.
+        for row in (0..C).filter(is_against) {
+            let rate = entry(&rates, row);
+            if self.is_noise(row, rate, &sizes, v) {
+                put(&mut closed.active, row, true);
+                put(&mut closed.slip, row, zero);
+                put(&mut wanted, row, -rate.part(0));
+            }
         }
         if closed.active == regime.active {
             return;
