@@ -66,7 +66,7 @@ fn a_state_off_the_constraints_has_no_linear_model() {
         for (state, count) in [position, velocity].iter().zip(&mut refused) {
             let start = system.simulate(*state).advance_to(1e-3).err();
             let found = [system.linearize(state, &[]).err(), system.modes(state, &[]).err()];
-            assert_eq!(found, [start.clone(), start.clone()], "{off:e}");
+            assert_eq!(found, [start, start], "{off:e}");
             *count += usize::from(start.is_some());
             if off == 1e-3 {
                 let name = |name: Name| name.to_string() == "line";
