@@ -1,7 +1,6 @@
 //! A pole on a cart, which a motor swings up and balances.
 
-use alloc::vec;
-use alloc::vec::Vec;
+use alloc::{vec, vec::Vec};
 
 use lagrangian::prelude::*;
 

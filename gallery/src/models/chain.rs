@@ -1,8 +1,6 @@
 //! A chain of ten links, hung up at one end.
 
-use alloc::vec;
-use alloc::vec::Vec;
-
+use alloc::{vec, vec::Vec};
 use core::f64::consts::FRAC_PI_2;
 
 use lagrangian::prelude::*;

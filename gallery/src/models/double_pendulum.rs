@@ -1,7 +1,6 @@
 //! Two point masses on massless rods.
 
-use alloc::vec;
-use alloc::vec::Vec;
+use alloc::{vec, vec::Vec};
 
 use lagrangian::prelude::*;
 

@@ -1,8 +1,7 @@
 //! A four-bar linkage: three bars and the frame, closed by a constraint whose multipliers are the force in a
 //! hinge.
 
-use alloc::vec;
-use alloc::vec::Vec;
+use alloc::{vec, vec::Vec};
 
 use lagrangian::prelude::*;
 

@@ -1,7 +1,6 @@
 //! A block that rocks on its corners until it stands: infinitely many impacts in finite time.
 
-use alloc::vec;
-use alloc::vec::Vec;
+use alloc::{vec, vec::Vec};
 
 use lagrangian::prelude::*;
 

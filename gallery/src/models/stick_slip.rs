@@ -1,7 +1,6 @@
 //! A block on a belt, held by a spring: it sticks, slips and sticks again.
 
-use alloc::vec;
-use alloc::vec::Vec;
+use alloc::{vec, vec::Vec};
 
 use lagrangian::prelude::*;
 

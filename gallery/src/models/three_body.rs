@@ -1,7 +1,6 @@
 //! Three bodies that attract each other.
 
-use alloc::vec;
-use alloc::vec::Vec;
+use alloc::{vec, vec::Vec};
 
 use lagrangian::prelude::*;
 

@@ -1,8 +1,6 @@
 //! A spinning top with its tip on the ground. Its orientation is a coordinate: no attitude is singular.
 
-use alloc::vec;
-use alloc::vec::Vec;
-
+use alloc::{vec, vec::Vec};
 use core::f64::consts::TAU;
 
 use lagrangian::prelude::*;

@@ -10,7 +10,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::response::{Factored, factored};
 use super::{Tangent, Variation, turning};
-use crate::constraints::{Level, Metric, is_near};
+use crate::constraints::{Level, Metric, check_near};
 use crate::linear::stored::Stored;
 use crate::linear::{Ldlt, Saddle, SaddlePoint, TangentSpace};
 use crate::number::elements::{Each, array};
@@ -316,7 +316,7 @@ where
     let metric = Metric::of(&*found.saddle);
     let slopes = metric.slopes(&*found.variation.gradients);
     for level in [Level::Positions, Level::Velocities] {
-        is_near(&*found.saddle, (&metric, &slopes), state, &residuals, level)
+        check_near(&*found.saddle, (&metric, &slopes), state, &residuals, level)
             .map_err(|cause| cause.named(&S::NAMES))?;
     }
     Ok(())

@@ -34,7 +34,7 @@ pub use retraction::project;
 pub use solution::{check, finite, forces, independence, is_singular, matrix, regular};
 pub use stages::accelerations;
 pub(crate) use stages::settled_state;
-pub(crate) use start::is_near;
+pub(crate) use start::check_near;
 pub use start::{begin, consistent, sound};
 pub use tangential::tangential;
 

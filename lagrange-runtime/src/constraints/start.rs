@@ -128,14 +128,14 @@ where
     S: Surface<N, K, C>,
 {
     let Retraction { state, saddle, slopes, metric, .. } = at;
-    is_near(saddle, (metric, slopes), state, residuals, level).map_err(|cause| cause.named(&S::NAMES))
+    check_near(saddle, (metric, slopes), state, residuals, level).map_err(|cause| cause.named(&S::NAMES))
 }
 
 /// The same by the factors and slopes of the constraints, where their names are not known.
 ///
 /// # Errors
 /// The constraint that is violated, without its name.
-pub(crate) fn is_near<R, M, const N: usize, const C: usize>(
+pub(crate) fn check_near<R, M, const N: usize, const C: usize>(
     saddle: &M,
     (metric, slopes): (&Metric<R, N>, &[R; C]),
     state: &State<R, N>,
