@@ -11,9 +11,9 @@
 //! motion from there until T takes a few times T/τ steps.
 
 use super::choice::Choice;
-use super::memory::shift;
 use super::scene::{Known, Scales, Scene, Status, above, entry, most, put, rounding};
 use super::turning::has_pairs;
+use super::way::{Way, shift};
 use super::{Regime, Switching};
 use crate::linear::SaddlePoint;
 use crate::number::elements::{Each, array};
@@ -40,17 +40,26 @@ fn most_of<R: Real, const C: usize>(parts: &[R; C]) -> R {
 pub(super) struct Grown<R, const N: usize, const C: usize, const W: usize> {
     pub(super) regime: Regime<R, C, W>,
     /// The time that has passed \[s].
-    pub(super) later: R,
+    later: R,
     /// The changes of coordinates and velocities until then.
-    pub(super) gain: [[R; N]; 2],
-    /// The accelerations at the end of the way, and their rate on it.
-    pub(super) way: [[R; N]; 2],
+    gain: [[R; N]; 2],
+    pub(super) way: Way<R, N>,
 }
 
 impl<R: Real, const N: usize, const C: usize, const W: usize> Grown<R, N, C, W> {
     /// The motion with these changes after a time in which accelerations grow linearly.
     fn of(regime: Regime<R, C, W>, later: R, gain: [[R; N]; 2], [a, b]: [&[R; N]; 2]) -> Self {
-        Self { regime, later, gain, way: [*b, array(|i| (b[i] - a[i]) / later)] }
+        Self { regime, later, gain, way: Way::growing(*b, array(|i| (b[i] - a[i]) / later)) }
+    }
+
+    /// Takes a state on from the start of the motion to its end, which is this much later where the time of
+    /// the event varies.
+    pub(super) fn take_on(&self, state: &mut State<R, N>, late: R) {
+        let [gain_q, gain_v] = self.gain;
+        state.t += self.later;
+        state.q = array(|i| state.q[i] + gain_q[i]);
+        state.v = array(|i| state.v[i] + gain_v[i]);
+        shift(state, &self.way.accelerations, late);
     }
 }
 

@@ -15,6 +15,7 @@ use super::memory::HybridMemory;
 use super::run::Run;
 use super::scene::Scales;
 use super::standstill::is_at_rest;
+use super::way::Way;
 use super::{Regime, Switching};
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
@@ -71,7 +72,7 @@ where
             next: None,
             impulses: [num_traits::Zero::zero(); C],
             switched: start.t,
-            way: [[num_traits::Zero::zero(); N]; 2],
+            way: Way::with([num_traits::Zero::zero(); N]),
             is_way: false,
             landed: [false; C],
             is_fresh: true,

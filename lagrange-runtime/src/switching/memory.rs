@@ -5,6 +5,7 @@ use core::fmt;
 use super::Regime;
 use super::guards::Guard;
 use super::scene::Scales;
+use super::way::Way;
 use crate::integrator::jets::JetsMemory;
 use crate::number::real::{Ordered, Real};
 use crate::system::error::Cause;
@@ -33,8 +34,8 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     /// The time of that change. A slip in two directions that comes to rest does so after the piece, and one
     /// that begins is followed from a little later on.
     pub(super) switched: R,
-    /// The accelerations at the end of the way from the piece to the state in `next`, and their rate on it.
-    pub(super) way: [[R; N]; 2],
+    /// The way from the piece to the state in `next`.
+    pub(super) way: Way<R, N>,
     /// Whether the piece is such a way, which no method has taken.
     pub(super) is_way: bool,
     /// The contacts that bear since the last change of regime because the motion has landed and they touch.
@@ -69,16 +70,7 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
 
     /// The state at a time on the way to the next regime.
     pub(super) fn on_way(&self, t: R) -> State<R, N> {
-        let mut state = self.after();
-        let dt = t - state.t;
-        let [accelerations, rates] = &self.way;
-        shift(&mut state, accelerations, dt);
-        let half = R::from_f64(0.5);
-        for ((q, v), &rate) in state.q.iter_mut().zip(&mut state.v).zip(rates) {
-            *q += rate * (dt * dt * dt) / R::from_f64(6.0);
-            *v += half * rate * (dt * dt);
-        }
-        State { t, ..state }
+        self.way.at(t, &self.after())
     }
 
     /// Makes the way from the end of a piece to the state that follows it a piece of its own. Returns false,
@@ -159,18 +151,5 @@ where
             .field("end", &self.end)
             .field("next", &self.next)
             .finish_non_exhaustive()
-    }
-}
-
-/// Moves the coordinates and velocities of a state by a short time \[s], with constant accelerations.
-pub(super) fn shift<R: Real, const N: usize>(state: &mut State<R, N>, accelerations: &[R; N], dt: R) {
-    // Where a slip in two directions has come to rest, its regime has no accelerations.
-    if dt == R::zero() || !accelerations.iter().all(|a| a.is_finite()) {
-        return;
-    }
-    let half = R::from_f64(0.5);
-    for ((q, v), &a) in state.q.iter_mut().zip(&mut state.v).zip(accelerations) {
-        *q += dt * (*v + half * dt * a);
-        *v += dt * a;
     }
 }

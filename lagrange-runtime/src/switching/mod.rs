@@ -40,6 +40,7 @@ mod steps;
 mod sweeps;
 mod trials;
 mod turning;
+mod way;
 
 use crate::constraints::{Equations, Residuals};
 use crate::linear::{SaddlePoint, Switched, SwitchedRows};

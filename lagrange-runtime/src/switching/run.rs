@@ -2,9 +2,10 @@
 
 use super::guards::Guard;
 use super::hybrid::{Memory, sum};
-use super::memory::shift;
 use super::scene::{Known, Scene, above, most};
 use super::standstill::is_at_rest;
+use super::turning::has_pairs;
+use super::way::{Way, shift};
 use super::{Regime, Row, Switching};
 use crate::integrator::jets::probe::restrained;
 use crate::number::elements::array;
@@ -75,7 +76,7 @@ where
         mut known: Known<C>,
         late: S::Scalar,
     ) -> Result<Regime<S::Scalar, C, W>, Cause> {
-        self.memory.way = [[num_traits::Zero::zero(); N]; 2];
+        self.memory.way = Way::with([num_traits::Zero::zero(); N]);
         self.memory.landed = [false; C];
         self.memory.switched = state.t.part(0);
         if S::ROWS.iter().any(|row| *row != Row::Bilateral) {
@@ -133,16 +134,13 @@ where
             for (seen, &now) in scales.reactions.iter_mut().zip(&choice.multipliers) {
                 *seen = most(*seen, now.abs());
             }
-            self.memory.way[0] = choice.accelerations;
+            self.memory.way = Way::with(choice.accelerations);
             // The time of a state is a number alone: its variation is in `late`.
             state.t = state.t.part(0);
+            let mut begin = *state;
+            shift(&mut begin, &choice.accelerations, late);
             if let Some(grown) = grown.or_else(|| scene.grown(&choice, scales)) {
-                let [gain_q, gain_v] = grown.gain;
-                state.t += grown.later;
-                state.q = array(|i| state.q[i] + gain_q[i]);
-                state.v = array(|i| state.v[i] + gain_v[i]);
-                // Where the time of the event varies, so does the end of the way.
-                shift(state, &grown.way[0], late);
+                grown.take_on(state, late);
                 self.memory.way = grown.way;
                 choice.regime = grown.regime;
             } else if choice.later.is_positive() {
@@ -159,6 +157,9 @@ where
             first.place(&before, &mut state.q, &choice.regime, scales);
             scene.part(&choice.regime, state);
             first.still(&mut state.v);
+            if const { has_pairs(&S::ROWS) } && state.t != begin.t {
+                self.memory.way.join(&begin, state);
+            }
             return Ok(choice.regime);
         }
         let in_regime = self.system.in_regime(present);

@@ -1,9 +1,9 @@
 //! Where a motion stands still: slips in two directions that come to rest, and rest that lasts.
 
-use super::memory::shift;
 use super::run::Run;
 use super::scene::{Known, Scene, above, entry, most, put};
 use super::turning::{has_pairs, pairs};
+use super::way::{Way, shift};
 use super::{Row, Switching};
 use crate::number::real::{Ordered, Real};
 use crate::system::control::Held;
@@ -85,7 +85,7 @@ where
             let regime = self.settle(&mut state, &present, known, left.part(0) - left)?;
             // If another slip begins at once, that is the way.
             if state.t == t + left.part(0) {
-                self.memory.way[0] = a;
+                self.memory.way = Way::with(a);
             }
             self.memory.next = Some((regime, state));
             return Ok(());

@@ -124,7 +124,7 @@ fn follow(number: u64) -> Result<usize, MotionError<f64>> {
 
 #[test]
 fn stools_obey_the_laws_of_contact() {
-    let switches: usize = [2, 5, 8].into_iter().map(|number| follow(number).unwrap()).sum();
+    let switches: usize = [2, 5, 8, 125].into_iter().map(|number| follow(number).unwrap()).sum();
     assert!(switches > 10);
 }
 
@@ -133,9 +133,7 @@ fn stools_obey_the_laws_of_contact() {
 fn hundreds_of_stools_come_to_rest() {
     let ends = (0..400).filter_map(|number| follow(number).err());
     let ends: Vec<Cause> = ends.map(|error| error.cause).collect();
-    // Two feet that stick have shares of the friction along the line between them that no law tells.
-    assert!(ends.iter().all(|cause| matches!(cause, Cause::EndlessSwitching { .. })), "{ends:?}");
-    assert!(ends.len() <= 4, "{ends:?}");
+    assert!(ends.is_empty(), "{ends:?}");
 }
 
 /// Two boxes in a plane, one on the other.

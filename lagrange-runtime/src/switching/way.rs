@@ -1,0 +1,112 @@
+//! The short way from the end of a piece to the state from which the next one starts.
+
+use super::scene::above;
+use crate::number::elements::array;
+use crate::number::real::Real;
+use crate::system::state::State;
+
+/// The way on which a slip in two directions begins or comes to rest: accelerations that grow linearly.
+#[derive(Clone, Copy)]
+pub(super) struct Way<R, const N: usize> {
+    /// The accelerations at its end.
+    pub(super) accelerations: [R; N],
+    /// Their rate.
+    pub(super) rates: [R; N],
+    /// The time that it takes \[s], if its start is known.
+    lasts: R,
+    /// What coordinates and velocities lack at its start, since its end has been projected onto constraints.
+    lacks: [[R; N]; 2],
+}
+
+impl<R: Real, const N: usize> Way<R, N> {
+    /// A way with constant accelerations.
+    pub(super) fn with(accelerations: [R; N]) -> Self {
+        Self::growing(accelerations, [R::zero(); N])
+    }
+
+    /// A way with these accelerations at its end and this rate.
+    pub(super) fn growing(accelerations: [R; N], rates: [R; N]) -> Self {
+        Self { accelerations, rates, lasts: R::zero(), lacks: [[R::zero(); N]; 2] }
+    }
+
+    /// Makes it lead from one state to another.
+    pub(super) fn join(&mut self, start: &State<R, N>, end: &State<R, N>) {
+        (self.lasts, self.lacks) = (R::zero(), [[R::zero(); N]; 2]);
+        let reached = self.at(start.t, end);
+        self.lasts = end.t - start.t;
+        self.lacks = [array(|i| start.q[i] - reached.q[i]), array(|i| start.v[i] - reached.v[i])];
+    }
+
+    /// The state at a time, if the way ends at a state.
+    pub(super) fn at(&self, t: R, end: &State<R, N>) -> State<R, N> {
+        let (mut state, dt) = (*end, t - end.t);
+        shift(&mut state, &self.accelerations, dt);
+        let number = R::from_f64;
+        // At the end nothing lacks, and at the start all, with the velocity that belongs to it.
+        let passed = if self.lasts == R::zero() { R::zero() } else { -dt / self.lasts };
+        let part = if above(passed, number(1.0)) { number(1.0) } else { passed };
+        let place = part * part * (number(3.0) - number(2.0) * part);
+        for i in 0..N {
+            let rate = self.rates[i] * (dt * dt);
+            state.q[i] += rate * dt / number(6.0) + place * self.lacks[0][i];
+            state.v[i] += number(0.5) * rate + part * self.lacks[1][i];
+        }
+        State { t, ..state }
+    }
+}
+
+/// Moves the coordinates and velocities of a state by a short time \[s], with constant accelerations.
+pub(super) fn shift<R: Real, const N: usize>(state: &mut State<R, N>, accelerations: &[R; N], dt: R) {
+    // Where a slip in two directions has come to rest, its regime has no accelerations.
+    if dt == R::zero() || !accelerations.iter().all(|a| a.is_finite()) {
+        return;
+    }
+    let half = R::from_f64(0.5);
+    for ((q, v), &a) in state.q.iter_mut().zip(&mut state.v).zip(accelerations) {
+        *q += dt * (*v + half * dt * a);
+        *v += dt * a;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Way, shift};
+    use crate::system::state::State;
+
+    /// A way with accelerations from 1 to 3 in half a second.
+    fn way() -> Way<f64, 1> {
+        Way::growing([3.0], [4.0])
+    }
+
+    #[test]
+    fn a_way_back_is_the_way_on() {
+        let start = State::new([0.2], [-1.0]).at_time(2.0);
+        let mut end = start.at_time(2.5);
+        shift(&mut end, &[1.0], 0.5);
+        end.q[0] += 4.0 * 0.125 / 6.0;
+        end.v[0] += 0.5;
+        let back = way().at(2.0, &end);
+        assert!((back.q[0] - 0.2).abs() < 1e-15 && (back.v[0] + 1.0).abs() < 1e-15, "{back:?}");
+    }
+
+    #[test]
+    fn a_joined_way_leads_from_its_start_to_its_end() {
+        let start = State::new([0.3], [-1.5]).at_time(2.0);
+        let end = State::new([0.7], [2.0]).at_time(2.5);
+        let mut way = way();
+        way.join(&start, &end);
+        assert_eq!(way.at(2.5, &end), end);
+        let first = way.at(2.0, &end);
+        assert!((first.q[0] - 0.3).abs() < 1e-15 && (first.v[0] + 1.5).abs() < 1e-15, "{first:?}");
+        // Before its start it goes on as at its start.
+        let step = 2.0_f64.powi(-20);
+        let before = way.at(2.0 - step, &end);
+        assert!((before.q[0] - first.q[0]).abs() < 4.0 * step, "{before:?}");
+    }
+
+    #[test]
+    fn what_has_no_accelerations_stays() {
+        let end = State::new([0.7], [2.0]).at_time(2.5);
+        assert_eq!(Way::with([f64::NAN]).at(2.0, &end).q, end.q);
+    }
+}
