@@ -125,10 +125,13 @@ where
                 let Some((cut, bound)) = self.cut(row, bearing, &toward, sticking) else { continue };
                 let held = project(&cut);
                 let rest: [S::Scalar; C] = array(|i| cut[i] - held[i]);
-                // A reaction that the motion determines cannot be chosen.
+                let (length, lack) = (product(&cut, &cut).sqrt(), bound - product(&cut, &base));
                 let share = S::Scalar::epsilon().sqrt();
-                if above(product(&rest, &rest), share * share * product(&cut, &cut)) {
-                    (free[row], lacks[row]) = (rest, bound - product(&cut, &base));
+                if above(product(&rest, &rest).sqrt(), share * length) {
+                    (free[row], lacks[row]) = (rest, lack);
+                } else if above(lack, share * (length * size + bound.abs())) {
+                    // The motion determines this reaction, so that no other one takes its place.
+                    return None;
                 }
             }
             let pushes = nearest(&free, &lacks)?;
