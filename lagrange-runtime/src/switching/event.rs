@@ -2,12 +2,36 @@
 
 use super::course::Course;
 use super::guards::{Guard, Guards};
-use super::run::{Event, Run};
+use super::run::Run;
+use super::way::shift;
 use super::{Row, Switching};
 use crate::number::real::{Ordered, Real};
+use crate::system::System;
 use crate::system::control::Held;
 use crate::system::error::Cause;
 use crate::system::method::Adaptive;
+use crate::system::state::State;
+
+/// The place where a piece ends before its step.
+pub(super) struct Event<R, const N: usize> {
+    pub(super) state: State<R, N>,
+    /// The guard that has fired; `None` if the guards are known no further.
+    pub(super) guard: Option<Guard>,
+    /// The delay of the time of the state after the zero of the guard, since times are rounded.
+    pub(super) late: R,
+    /// The accelerations at the state.
+    pub(super) accelerations: [R; N],
+    /// The state at the zero of the guard.
+    pub(super) place: State<R, N>,
+}
+
+impl<R: Real, const N: usize> Event<R, N> {
+    /// Takes the place back from the state, by its delay.
+    pub(super) fn go_back(&mut self) {
+        self.place = self.state;
+        shift(&mut self.place, &self.accelerations, -self.late);
+    }
+}
 
 /// The part of a piece at which its guard is compared with the end, for its slope.
 const EARLIER: f64 = 1.0 - 1e-3;
@@ -80,7 +104,8 @@ where
             let t = start.t + part * span;
             if part == one || is_beyond(t) { end.t } else { t }
         };
-        let mut state = at_time(time(part))?;
+        let before = time(part * S::Scalar::from_f64(EARLIER));
+        let (mut state, mut earlier) = (at_time(time(part))?, None);
         let late = match (passed, guard) {
             (Some(passed), Some(guard)) => {
                 let late = |t: S::Scalar| (t - start.t) - passed.part(0);
@@ -89,20 +114,27 @@ where
                 let is_contact =
                     matches!(guard, Guard::Row(row) if S::ROWS.get(row) == Some(&Row::Unilateral));
                 let next = state.t + S::Scalar::epsilon() * state.t.abs() * span.signum();
-                if is_contact
-                    && guards.is_of_reactions(guard)
-                    && late(state.t) * span < zero
-                    && !is_beyond(next)
-                {
+                if !guards.is_of_reactions(guard) {
+                    earlier = Some(at_time(before)?);
+                } else if is_contact && late(state.t) * span < zero && !is_beyond(next) {
                     state = at_time(next)?;
                 }
                 late(state.t)
             }
-            (None, Some(guard)) => {
-                guards.late(guard, [&at_time(time(part * S::Scalar::from_f64(EARLIER)))?, &state])
-            }
+            (None, Some(guard)) => guards.late(guard, [&at_time(before)?, &state]),
             (_, None) => zero,
         };
-        Ok(Some(Event { state, guard, late }))
+        let mut event = Event { state, guard, late, place: state, accelerations: [zero; N] };
+        let Some(guard) = guard else { return Ok(Some(event)) };
+        let State { t, q, v } = state;
+        event.accelerations = in_regime.accelerations_at(constants, t, &q, &v, inputs);
+        // The place of an event has rounding errors. What forces do on the way from there to the zero of the
+        // guard would change the energy in each regime by another amount.
+        event.go_back();
+        if let Some(earlier) = earlier {
+            event.late += guards.late(guard, [&earlier, &event.place]).part(0);
+            event.go_back();
+        }
+        Ok(Some(event))
     }
 }

@@ -322,7 +322,7 @@ where
     /// The delay of a time after the zero of a guard that the rounding of time has made, from values of the
     /// guard there and a little earlier; zero if it is more than rounding can make.
     pub(super) fn late(&self, guard: Guard, [earlier, there]: [&State<S::Scalar, N>; 2]) -> S::Scalar {
-        let [before, value] = [earlier, there].each(|state| self.values(state).get(guard).0);
+        let [before, value] = [earlier, there].each(|state| self.value(guard, state, state).value);
         let late = value / (value - before) * (there.t - earlier.t);
         let ulps = S::Scalar::from_f64(4.0) * S::Scalar::epsilon() * there.t.abs();
         if late.abs() <= ulps { late } else { num_traits::Zero::zero() }

@@ -1,5 +1,6 @@
 //! A motion on its way from regime to regime.
 
+use super::event::Event;
 use super::guards::Guard;
 use super::hybrid::{Memory, sum};
 use super::scene::{Known, Scene, above, most};
@@ -25,15 +26,6 @@ const AHEAD: f64 = 1024.0;
 
 /// The most times that a step without a known end is tried shorter, by the same factor.
 const NEARER: usize = 4;
-
-/// The place where a piece ends before its step.
-pub(super) struct Event<R, const N: usize> {
-    pub(super) state: State<R, N>,
-    /// The guard that has fired; `None` if the guards are known no further.
-    pub(super) guard: Option<Guard>,
-    /// The delay of the time of the state after the zero of the guard, since times are rounded.
-    pub(super) late: R,
-}
 
 /// A motion on its way.
 pub(super) struct Run<'a, S, M, const N: usize, const K: usize, const C: usize, const W: usize>
@@ -250,7 +242,7 @@ where
             })?;
             self.memory.fired = found.as_ref().and_then(|event| event.guard);
             self.memory.is_cut = found.is_some() && self.memory.fired.is_none();
-            let Some(Event { state, guard, late }) = found else {
+            let Some(mut event) = found else {
                 // Kinks alone have no gaps, and no scales.
                 if C > 0 {
                     let laws = self.system.laws_at(end.t, &end.q, &end.v, &self.control.0);
@@ -266,9 +258,10 @@ where
                 self.come_to_rest().map_err(|cause| at(&end, cause))?;
                 return Ok(());
             };
+            let state = event.state;
             self.memory.end = state;
             let has_passed = self.passed(start.t, state.t);
-            match guard.map(|guard| self.switch(guard, late)) {
+            match event.guard.map(|guard| self.switch(guard, &mut event)) {
                 None => self.memory.next = Some((self.memory.regime, state)),
                 Some(Ok(())) => {}
                 Some(Err(cause)) => {
@@ -313,9 +306,9 @@ where
     }
 
     /// Changes the regime where a guard has fired.
-    fn switch(&mut self, guard: Guard, late: S::Scalar) -> Result<(), Cause> {
+    fn switch(&mut self, guard: Guard, event: &mut Event<S::Scalar, N>) -> Result<(), Cause> {
         let memory = &mut *self.memory;
-        let (mut state, mut present) = (memory.end, memory.regime);
+        let (state, mut present) = (memory.end, memory.regime);
         memory.changes += 1;
         let mut fired = None;
         match guard {
@@ -337,22 +330,21 @@ where
         {
             (fired, regime_ends) = (None, false);
         }
-        // The state goes back to the event itself.
-        let State { t, q, v } = state;
-        let mut a =
-            self.memory.in_regime.accelerations_at(&self.memory.constants, t, &q, &v, &self.control.0);
         if S::Scalar::PARTS > 1 {
-            self.complete(guard, &mut a, t);
+            self.complete(guard, &mut event.accelerations, state.t);
+            event.go_back();
         }
         let known = Known { closed: present.active, fired, settled: false, rested: [false; C] };
         let varied = if S::Scalar::PARTS > 1 && regime_ends {
-            self.varied(guard, &state, &a, |run, state| run.settle(state, &present, known, late))?
+            let a = &event.accelerations;
+            self.varied(guard, &state, a, |run, state| run.settle(state, &present, known, event.late))?
         } else {
             num_traits::Zero::zero()
         };
-        shift(&mut state, &a, varied - late);
+        let mut state = event.place;
+        shift(&mut state, &event.accelerations, varied);
         state.t += varied;
-        let regime = self.settle(&mut state, &present, known, late - varied)?;
+        let regime = self.settle(&mut state, &present, known, event.late - varied)?;
         self.memory.next = Some((regime, state));
         Ok(())
     }

@@ -111,9 +111,10 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
             add(&mut even, even_q, even_v);
             add(&mut odd, odd_q, odd_v);
         }
+        // Where both sums cancel, what is left has no errors of theirs.
         for i in 0..N {
-            odd.0[i] = R::mul_add(even.0[i], square, odd.0[i] * theta);
-            odd.1[i] = R::mul_add(even.1[i], square, odd.1[i] * theta);
+            odd.0[i] = R::mul_add(even.0[i], theta, odd.0[i]) * theta;
+            odd.1[i] = R::mul_add(even.1[i], theta, odd.1[i]) * theta;
         }
         odd
     }
