@@ -27,8 +27,9 @@ const STEPS: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 /// A run that takes longer [s] is not repeated, and no finer one follows it.
 const SLOW: f64 = 2.0;
 
-/// Our subject.
+/// The library on a description with contacts, and on modes by hand where those are another description.
 const OURS: &str = "jets";
+const BY_HAND: &str = "jets-by-hand";
 
 /// Measures all cases or one. All of them are written to the page.
 pub fn run(system: Option<&str>, json: Option<&Path>, effort: Effort) -> Result<(), Box<dyn Error>> {
@@ -47,6 +48,7 @@ pub fn run(system: Option<&str>, json: Option<&Path>, effort: Effort) -> Result<
     let mut records = Vec::new();
     for problem in &problems {
         let mut subjects = vec![ours(problem)];
+        subjects.extend(by_hand(problem));
         for peer in running.iter().flat_map(|server| server.subjects(problem.name)) {
             // Subjects that both Pythons have take part once.
             if subjects.iter().all(|subject| subject.name() != peer.name()) {
@@ -115,6 +117,34 @@ fn ours(problem: &Problem) -> Box<dyn Subject> {
     }
 }
 
+/// The library on the modes that the peers without contacts integrate.
+fn by_hand(problem: &Problem) -> Option<Box<dyn Subject>> {
+    let (t_end, start) = (problem.t_end, State::new([problem.start[0]], [problem.start[1]]));
+    match problem.name {
+        "block" => {
+            let run = move |tolerance| {
+                let mut motion = s::BlockByHand.simulate(start).with_tolerance(tolerance);
+                // The potential has its kink where the block stands upright.
+                while motion.advance_to_switch(t_end).map_err(|error| error.to_string())?.is_some() {
+                    let State { t, v: [rate], .. } = *motion.state();
+                    motion.set_state(State::new([0.0], [s::BlockByHand::LEFT * rate]).at_time(t));
+                }
+                Ok(Outcome { end: motion.state().iter().collect(), steps: motion.steps().accepted })
+            };
+            Some(Box::new(Function { name: BY_HAND, trajectories: 1, run }))
+        }
+        "hoop" => {
+            let run = move |tolerance| {
+                let mut motion = s::HoopByHand.simulate(start).with_tolerance(tolerance);
+                motion.advance_to(t_end).map_err(|error| error.to_string())?;
+                Ok(Outcome { end: motion.state().iter().collect(), steps: motion.steps().accepted })
+            };
+            Some(Box::new(Function { name: BY_HAND, trajectories: 1, run }))
+        }
+        _ => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -124,8 +154,10 @@ mod tests {
     fn descriptions_reach_the_references() {
         let problems = chosen(include_str!("../../nonsmooth.json"), CASES.into_iter(), None);
         for problem in problems.expect("the table of references") {
-            let sample = ours(&problem).sample(&problem, 1e-12, 0.0).expect("a motion");
-            assert!(sample.error < 1e-8, "{}: {:e}", problem.name, sample.error);
+            for mut subject in std::iter::once(ours(&problem)).chain(by_hand(&problem)) {
+                let sample = subject.sample(&problem, 1e-12, 0.0).expect("a motion");
+                assert!(sample.error < 1e-8, "{} by {}: {:e}", problem.name, subject.name(), sample.error);
+            }
         }
     }
 }

@@ -124,6 +124,33 @@ impl Block {
     }
 }
 
+/// The same by hand, as modes that an expert writes: the angle from corner to corner.
+pub struct BlockByHand;
+
+#[lagrangian(coordinates = [theta])]
+impl BlockByHand {
+    /// The half diagonal, and its angle to the upright side.
+    fn diagonal(&self) -> (f64, f64) {
+        (0.29_f64.sqrt(), 0.4_f64.atan())
+    }
+
+    #[kinetic]
+    fn rotation(&self, v: &Velocities) -> f64 {
+        0.5 * (4.0 / 3.0 * 0.29) * v.theta * v.theta
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        let (radius, angle) = self.diagonal();
+        9.81 * radius * (angle - q.theta.abs()).cos()
+    }
+}
+
+impl BlockByHand {
+    /// What an impact leaves of the velocity: angular momentum about the corner that is hit is kept.
+    pub const LEFT: f64 = 1.0 - 1.5 * 0.04 / 0.29;
+}
+
 /// A bead on a rough hoop.
 pub struct Hoop;
 
@@ -147,6 +174,32 @@ impl Hoop {
     #[friction(coefficient = 0.2, normal = bead)]
     fn slip(&self, q: &Coordinates, v: &Velocities) -> f64 {
         (q.x * v.y - q.y * v.x) / q.x.hypot(q.y)
+    }
+}
+
+/// The same by hand: the angle, and friction of the normal force that a motion on the hoop needs.
+pub struct HoopByHand;
+
+#[lagrangian(coordinates = [phi])]
+impl HoopByHand {
+    #[kinetic]
+    fn motion(&self, v: &Velocities) -> f64 {
+        0.125 * v.phi * v.phi
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        -9.81 * 0.5 * q.phi.cos()
+    }
+
+    /// The torque of friction that slips.
+    fn resistance(&self, q: &Coordinates, v: &Velocities) -> f64 {
+        0.2 * 0.5 * (0.5 * v.phi * v.phi + 9.81 * q.phi.cos())
+    }
+
+    #[friction(limit = resistance)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.phi
     }
 }
 

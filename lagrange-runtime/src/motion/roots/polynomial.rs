@@ -122,13 +122,26 @@ fn through<R: Real>(samples: &[R; DEGREE + 1], n: usize) -> [R; DEGREE + 1] {
     for (j, entry) in cosines.iter_mut().enumerate().take(2 * n) {
         *entry = cosine(j * stride);
     }
+    // Cosines of even orders are the same at nodes that lie opposite each other, those of odd ones opposite.
+    let (mut sums, mut differences) = ([R::zero(); DEGREE / 2 + 1], [R::zero(); DEGREE / 2 + 1]);
+    let parts = sums.iter_mut().zip(&mut differences).take(n / 2);
+    for ((j, (sum, difference)), (&low, &high)) in
+        parts.enumerate().zip(samples.iter().step_by(stride).zip(samples.iter().rev().step_by(stride)))
+    {
+        (*sum, *difference) = (low + high, low - high);
+        if j == 0 {
+            (*sum, *difference) = (half * *sum, half * *difference);
+        }
+    }
+    if let Some(middle) = sums.get_mut(n / 2) {
+        *middle = samples[DEGREE / 2];
+    }
     let mut coefficients = [R::zero(); DEGREE + 1];
     for (k, coefficient) in coefficients.iter_mut().enumerate().take(n + 1) {
-        let mut sum = R::zero();
-        let mut turn = 0;
-        for (j, &sample) in samples.iter().enumerate().step_by(stride) {
-            let sample = if j == 0 || j == DEGREE { sample * half } else { sample };
-            sum = sample.mul_add(cosines.get(turn).copied().unwrap_or(half), sum);
+        let parts = if k % 2 == 0 { &sums } else { &differences };
+        let (mut sum, mut turn) = (R::zero(), 0);
+        for &part in parts.iter().take(n / 2 + 1) {
+            sum = part.mul_add(cosines.get(turn).copied().unwrap_or(half), sum);
             turn += k;
             if turn >= 2 * n {
                 turn -= 2 * n;
@@ -185,7 +198,7 @@ impl<R: Ordered> Polynomial<R> {
         let (four, eight) = (R::from_f64(4.0), R::from_f64(8.0));
         // The rounding errors of samples and sums; those of the nodes by the slope, inside and at the end.
         let (mut inside, mut end) = (R::zero(), R::zero());
-        for (k, &coefficient) in coefficients.iter().enumerate() {
+        for (k, &coefficient) in coefficients.iter().enumerate().take(n + 1) {
             let k = R::from_f64(k as f64);
             inside += k * coefficient.abs();
             end += k * k * coefficient;
