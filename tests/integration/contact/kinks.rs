@@ -30,6 +30,24 @@ fn a_valley_with_a_kink() {
     assert!(motion.steps().accepted < 1500, "{:?}", motion.steps());
 }
 
+/// What an event adds to the energy is what rounding the velocity does, three times, not what the force would do
+/// on the way by which the place of the event is wrong: that would be twice as much.
+#[test]
+fn events_on_kinks_walk_at_random_by_an_ulp_of_the_energy() {
+    let (starts, mut squares, mut events) = (64, 0.0, 0.0);
+    for number in 0..starts {
+        let height = 0.5 + 1.5 * (f64::from(number) + 0.37) / f64::from(starts);
+        let mut motion = Valley.simulate(State::at_rest([height])).with_tolerance(TIGHT);
+        motion.advance_to(1000.0).unwrap();
+        squares += (motion.energy() / height - 1.0).powi(2);
+        // A quarter of the period is √2h.
+        events += 1000.0 / (2.0 * (2.0 * height).sqrt());
+    }
+    let root_mean_square = (squares / f64::from(starts)).sqrt();
+    let walk = (events / f64::from(starts)).sqrt() * f64::EPSILON;
+    assert!(root_mean_square < 2.5 * walk, "{root_mean_square:e} instead of {walk:e}");
+}
+
 struct Bilinear;
 
 #[lagrangian(coordinates = [x])]
