@@ -2,8 +2,11 @@
 
 use super::run::{CHANGES, Run};
 use super::scene::{above, entry, most};
-use super::{Switching, Wanted};
+use super::{Regime, Switching, Wanted};
+
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real};
+use crate::number::rounded::Rounded;
 use crate::system::control::Held;
 use crate::system::error::Cause;
 use crate::system::method::Adaptive;
@@ -77,7 +80,10 @@ where
         // The gaps as they were before the kink.
         let wanted = Wanted { rows: [true; C], fixed: [false; C], kinks: [false; W] };
         let gaps = S::functions_in(&self.memory.in_regime, |x| x, *t, q, v, inputs, &wanted).rows;
-        let sizes = self.system.laws_at(*t, q, v, inputs).rows.position_sizes;
+        let before = self.system.laws_at(*t, q, v, inputs).rows.position_sizes;
+        // What is zero before the kink may be the difference of large numbers behind it.
+        let behind = self.sizes_behind(kink, state);
+        let sizes: [S::Scalar; C] = array(|row| most(before[row], behind[row]));
         let mut found = Ok(());
         self.system.breaks_at(*t, q, v, inputs, |own, row, gain| {
             let seen = most(entry(&sizes, row), entry(&self.memory.scales.gaps, row));
@@ -89,6 +95,23 @@ where
             }
         });
         found
+    }
+
+    /// Σ |summands| of gaps behind a kink.
+    fn sizes_behind(&self, kink: usize, state: &State<S::Scalar, N>) -> [S::Scalar; C] {
+        let mut kinks = self.memory.regime.kinks;
+        if let Some(side) = kinks.get_mut(kink) {
+            *side = -*side;
+        }
+        let in_regime = self.system.in_regime(&Regime { kinks, ..Regime::open(&S::ROWS) });
+        let ulp = S::Scalar::epsilon();
+        let rounded = |value: S::Scalar| Rounded { value, error: ulp * value.abs() };
+        let [q, v] = [&state.q, &state.v].map(|numbers| numbers.each(rounded));
+        let inputs = self.control.0.each(Rounded::exact);
+        let wanted = Wanted { rows: [true; C], fixed: [false; C], kinks: [false; W] };
+        let gaps =
+            S::functions_in(&in_regime, Rounded::exact, rounded(state.t), &q, &v, &inputs, &wanted).rows;
+        gaps.each(|gap| gap.error / ulp)
     }
 
     /// Whether a momentum or the rate of a constraint jumps at a kink, so that velocities do not go through

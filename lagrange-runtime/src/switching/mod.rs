@@ -34,6 +34,7 @@ mod run;
 mod saltation;
 mod scene;
 mod shares;
+mod sided;
 mod since;
 mod standstill;
 mod steps;

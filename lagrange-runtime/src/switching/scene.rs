@@ -2,6 +2,7 @@
 
 use num_traits::Zero;
 
+use super::sided::laws_on;
 use super::{Coefficients, Laws, Regime, Row, Switching};
 use crate::number::elements::array;
 use crate::number::real::Real;
@@ -182,7 +183,7 @@ where
         known: &Known<C>,
     ) -> Self {
         let State { t, q, v } = *state;
-        let laws = system.laws_at(t, &q, &v, inputs);
+        let laws = laws_on(system, state, inputs, &kinks);
         let (mut gradients, mut gamma) = ([[num_traits::Zero::zero(); N]; C], [num_traits::Zero::zero(); C]);
         let mut units = [num_traits::Zero::zero(); N];
         let all = Regime { active: [true; C], kinks, ..Regime::open(&S::ROWS) };

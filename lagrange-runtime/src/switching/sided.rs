@@ -1,0 +1,67 @@
+//! Laws on one side of kinks.
+
+use super::{Laws, Regime, Row, Switching, Wanted};
+use crate::number::elements::{Each, array};
+use crate::number::real::{Dual, Real};
+use crate::system::state::State;
+
+/// The numbers that decide about regimes, at a state, on these sides of the kinks. A state on a kink does not
+/// tell its side, but its gaps open or close as they do there.
+pub(super) fn laws_on<S, const N: usize, const K: usize, const C: usize, const W: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    inputs: &[S::Scalar; K],
+    kinks: &[S::Scalar; W],
+) -> Laws<S::Scalar, C, W>
+where
+    S: Switching<N, K, C, W>,
+{
+    let mut laws = system.laws_at(state.t, &state.q, &state.v, inputs);
+    if const { C > 0 && W > 0 } {
+        let tells = |(&side, &value): (&S::Scalar, &S::Scalar)| (side * value).is_positive();
+        if !kinks.iter().zip(&laws.kinks).all(tells) {
+            take_side(system, state, inputs, kinks, &mut laws);
+        }
+    }
+    laws
+}
+
+/// Sets the rates of gaps, and slip velocities, to those on these sides.
+#[cold]
+fn take_side<S, const N: usize, const K: usize, const C: usize, const W: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    inputs: &[S::Scalar; K],
+    kinks: &[S::Scalar; W],
+    laws: &mut Laws<S::Scalar, C, W>,
+) where
+    S: Switching<N, K, C, W>,
+{
+    let in_regime = system.in_regime(&Regime { kinks: *kinks, ..Regime::open(&S::ROWS) });
+    // Along the motion: the derivative of a gap is its rate. Slip velocities are no rates.
+    let moving = |value: S::Scalar, rate: S::Scalar| Dual::<_, 1> { value, slopes: [rate] };
+    let [t, one] = [state.t, num_traits::One::one()];
+    let q = array(|i| moving(state.q[i], state.v[i]));
+    let v = state.v.each(Dual::constant);
+    let wanted = Wanted { rows: [true; C], fixed: [false; C], kinks: [false; W] };
+    let functions = S::functions_in(
+        &in_regime,
+        Dual::constant,
+        moving(t, one),
+        &q,
+        &v,
+        &inputs.each(Dual::constant),
+        &wanted,
+    );
+    let rates = laws.rows.rates.iter_mut().zip(&mut laws.rows.rate_sizes);
+    for ((rate, size), (kind, function)) in rates.zip(S::ROWS.iter().zip(&functions.rows)) {
+        match kind {
+            Row::Unilateral => *rate = function.slopes[0],
+            Row::Friction { .. } => *rate = function.value,
+            Row::Bilateral | Row::Load => continue,
+        }
+        if (rate.abs() - *size).is_positive() {
+            *size = rate.abs();
+        }
+    }
+}
