@@ -160,9 +160,14 @@ where
     /// when the motion goes on. The inputs and the length of the steps stay what they are.
     #[inline]
     pub fn set_state(&mut self, state: State<S::Scalar, N>) {
+        let is_other = state != self.state;
         self.state = state;
         self.begun = false;
-        M::restart(&mut self.memory, state);
+        if is_other {
+            M::begin_anew(&mut self.memory, state);
+        } else {
+            M::restart(&mut self.memory, state);
+        }
     }
 
     /// Time of the state \[s].

@@ -101,6 +101,16 @@ where
         (memory.is_fresh, memory.is_cut, memory.stuck) = (true, false, None);
     }
 
+    fn begin_anew(memory: &mut Self::Memory, state: State<S::Scalar, N>)
+    where
+        S::Scalar: Ordered,
+    {
+        <Self as Adaptive<S, Held<S::Scalar, K>, N, K>>::restart(memory, state);
+        // A state on a kink is on the side on which the motion was. Which way friction slipped tells nothing
+        // about a body that has been put at rest.
+        memory.regime = Regime { kinks: memory.regime.kinks, ..Regime::open(&S::ROWS) };
+    }
+
     fn start(memory: &Self::Memory) -> &State<S::Scalar, N> {
         &memory.start
     }

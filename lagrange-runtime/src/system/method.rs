@@ -105,6 +105,14 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
     where
         S::Scalar: Ordered;
 
+    /// Begins at a state that is not the motion's own.
+    fn begin_anew(memory: &mut Self::Memory, state: State<S::Scalar, N>)
+    where
+        S::Scalar: Ordered,
+    {
+        Self::restart(memory, state);
+    }
+
     /// The start of the last step.
     fn start(memory: &Self::Memory) -> &State<S::Scalar, N>;
 

@@ -13,6 +13,7 @@ mod friction;
 mod growing;
 mod indeterminate;
 mod inputs;
+mod kinked_gaps;
 mod kinks;
 mod laws;
 mod leashes;
