@@ -1,9 +1,9 @@
-//! The place where a piece of the motion ends before its step.
+//! The search for the place where a piece of the motion ends before its step.
 
 use super::course::Course;
 use super::guards::{Guard, Guards};
+use super::place::Event;
 use super::run::Run;
-use super::way::shift;
 use super::{Row, Switching};
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
@@ -11,27 +11,6 @@ use crate::system::control::Held;
 use crate::system::error::Cause;
 use crate::system::method::Adaptive;
 use crate::system::state::State;
-
-/// The place where a piece ends before its step.
-pub(super) struct Event<R, const N: usize> {
-    pub(super) state: State<R, N>,
-    /// The guard that has fired; `None` if the guards are known no further.
-    pub(super) guard: Option<Guard>,
-    /// The delay of the time of the state after the zero of the guard, since times are rounded.
-    pub(super) late: R,
-    /// The accelerations at the state.
-    pub(super) accelerations: [R; N],
-    /// The state at the zero of the guard.
-    pub(super) place: State<R, N>,
-}
-
-impl<R: Real, const N: usize> Event<R, N> {
-    /// Takes the place back from the state, by its delay.
-    pub(super) fn go_back(&mut self) {
-        self.place = self.state;
-        shift(&mut self.place, &self.accelerations, -self.late);
-    }
-}
 
 /// The part of a piece at which its guard is compared with the end, for its slope.
 const EARLIER: f64 = 1.0 - 1e-3;

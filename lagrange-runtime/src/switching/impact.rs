@@ -103,6 +103,22 @@ where
         Ok((array(|i| self.state.v[i] + strike.changes[i]), strike.impulses))
     }
 
+    /// The same where some contacts stay closed and the others obey Newton's law. `None` where it has no
+    /// solution or adds energy, and for other laws.
+    #[cold]
+    pub(super) fn landing(&self, rests: &[bool; C]) -> Option<Struck<S::Scalar, N, C>> {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        if (0..C).any(|row| S::POISSON[row] && self.is_closed[row] && !rests[row]) {
+            return None;
+        }
+        let restitution = array(|row| if rests[row] { zero } else { self.laws.restitution[row] });
+        let strike = self.strike(&Demand { restitution, given: [zero; C] }).ok()?;
+        if self.gains(&strike) {
+            return None;
+        }
+        Some((array(|i| self.state.v[i] + strike.changes[i]), strike.impulses))
+    }
+
     /// The compression and the expansion of Poisson's law together.
     fn by_poisson(&self) -> Result<Impulses<S::Scalar, N, C>, Cause> {
         let zero: S::Scalar = num_traits::Zero::zero();

@@ -28,6 +28,7 @@ mod launch;
 mod limits;
 mod memory;
 mod nearest;
+mod place;
 mod reactions;
 mod rest;
 mod run;

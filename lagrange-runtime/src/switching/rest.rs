@@ -135,15 +135,20 @@ where
         regime
     }
 
-    /// The velocities with those contacts closed that an impact would open for a negligible time only, and
-    /// the impulses that close them: those of a plastic impact with the velocities at which they would close.
-    /// `None` where no contact is of this kind, or that impact has no solution. The scene is one without an
-    /// impact; the motion goes on with these accelerations.
+    /// The velocities with those contacts closed that would open for a negligible time only, and the impulses
+    /// that close them. `None` where no contact is of this kind, or these impulses are not found. The scene
+    /// is one without an impact; the motion goes on with these accelerations.
+    ///
+    /// Where an impact opens them, its scene before it and its impulses are `struck`. Then the impact leaves
+    /// them closed instead. Until a body that bounces comes to rest, its contact gives the impulse of that
+    /// impact and of the forces in this time, and with it the friction of both. Where no impact opens them,
+    /// they close with the velocities at which they would come back.
     pub(super) fn gathered(
         &self,
         accelerations: &[S::Scalar; N],
         scales: &Scales<S::Scalar, C>,
         tolerance: S::Scalar,
+        struck: Option<(&Self, &[S::Scalar; C])>,
     ) -> Option<Struck<S::Scalar, N, C>> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let ulp = S::Scalar::epsilon();
@@ -167,6 +172,9 @@ where
         });
         if !slow.contains(&true) {
             return None;
+        }
+        if let Some(landed) = struck.and_then(|(before, _)| before.landing(&slow)) {
+            return Some(landed);
         }
         let mut closed = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
         let mut wanted = [zero; C];
@@ -192,6 +200,8 @@ where
         let back = State { v: array(|i| v[i] + change[i]), ..self.state };
         let known = Known { closed: slow, fired: None, settled: false, rested: [false; C] };
         let landing = Scene::new(self.system, &back, self.inputs, self.kinks, scales, &known);
-        landing.plastic().ok()
+        let (v, impulses) = landing.plastic().ok()?;
+        let before = struck.map_or([zero; C], |(_, impulses)| *impulses);
+        Some((v, array(|row| before[row] + impulses[row])))
     }
 }

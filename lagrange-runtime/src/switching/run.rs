@@ -1,8 +1,8 @@
 //! A motion on its way from regime to regime.
 
-use super::event::Event;
 use super::guards::Guard;
 use super::hybrid::{Memory, sum};
+use super::place::Event;
 use super::scene::{Known, Scene, above, most};
 use super::standstill::is_at_rest;
 use super::turning::has_pairs;
@@ -109,12 +109,14 @@ where
             {
                 return Err(cause);
             }
-            if let Some((v, more)) = scene.gathered(&choice.accelerations, scales, self.limits.relative) {
+            let struck = first.has_impact().then_some((&first, &*impulses));
+            let gathered = scene.gathered(&choice.accelerations, scales, self.limits.relative, struck);
+            if let Some((v, all)) = gathered {
                 if S::Scalar::PARTS > 1 {
                     return Err(scene.accumulation());
                 }
                 state.v = v;
-                *impulses = array(|row| impulses[row] + more[row]);
+                *impulses = all;
                 (known.closed, known.settled) = (scene.is_closed, true);
                 last = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &last;

@@ -2,6 +2,7 @@
 
 mod balls;
 mod bearings;
+mod bounces;
 mod breakaway;
 mod coincident;
 mod corners;

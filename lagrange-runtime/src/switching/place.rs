@@ -1,0 +1,27 @@
+//! The place where a piece of the motion ends before its step.
+
+use super::guards::Guard;
+use super::way::shift;
+use crate::number::real::Real;
+use crate::system::state::State;
+
+/// The place where a piece ends before its step.
+pub(super) struct Event<R, const N: usize> {
+    pub(super) state: State<R, N>,
+    /// The guard that has fired; `None` if the guards are known no further.
+    pub(super) guard: Option<Guard>,
+    /// The delay of the time of the state after the zero of the guard, since times are rounded.
+    pub(super) late: R,
+    /// The accelerations at the state.
+    pub(super) accelerations: [R; N],
+    /// The state at the zero of the guard.
+    pub(super) place: State<R, N>,
+}
+
+impl<R: Real, const N: usize> Event<R, N> {
+    /// Takes the place back from the state, by its delay.
+    pub(super) fn go_back(&mut self) {
+        self.place = self.state;
+        shift(&mut self.place, &self.accelerations, -self.late);
+    }
+}
