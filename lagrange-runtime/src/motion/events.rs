@@ -58,8 +58,8 @@ where
 /// The kind of a zero, as time grows: a motion backward in time meets the same kind.
 ///
 /// The pieces before and after an impact have their own zeros. So the gap of a contact that bounces has two
-/// events at the same time: it falls with the velocity before the impact and rises with the one after it. A
-/// gap that stays closed only falls. `.falling()` selects one event for each impact.
+/// events whose times differ by an ulp at most: it falls with the velocity before the impact and rises with
+/// the one after it. A gap that stays closed only falls. `.falling()` selects one event for each impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Crossing {
     /// It goes from below to above.
