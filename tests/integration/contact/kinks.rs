@@ -30,8 +30,8 @@ fn a_valley_with_a_kink() {
     assert!(motion.steps().accepted < 1500, "{:?}", motion.steps());
 }
 
-/// What an event adds to the energy is what rounding the velocity does, three times, not what the force would do
-/// on the way by which the place of the event is wrong: that would be twice as much.
+/// What an event adds to the energy is what rounding the velocity does, three times, not what the force would
+/// do on the way by which the place of the event is wrong: that would be twice as much.
 #[test]
 fn events_on_kinks_walk_at_random_by_an_ulp_of_the_energy() {
     let (starts, mut squares, mut events) = (64, 0.0, 0.0);

@@ -80,9 +80,13 @@ where
         self.guard.value(self.motion.system, state)
     }
 
-    /// The guard at a time in the last step. If the state there is not known, it is NaN, and `error` holds
-    /// the reason.
+    /// The guard at a time in the last step; at its end as the motion comes there, before it jumps. If the
+    /// state is not known, it is NaN, and `error` holds the reason.
     pub fn at_time(&mut self, t: S::Scalar, error: &mut Option<MotionError<S::Scalar>>) -> S::Scalar {
+        let end = M::end(&self.motion.memory);
+        if t == end.t {
+            return self.at(end);
+        }
         match self.motion.peek(t) {
             Ok(state) => self.at(&state),
             Err(reason) => {

@@ -41,6 +41,8 @@ pub(super) struct Search<R, const N: usize, const E: usize> {
     length: Option<R>,
     /// Intervals in a row that were too short for polynomials.
     blind: u8,
+    /// Whether the motion jumps at the front, and the guards have not been asked what that means.
+    leaps: bool,
     begun: bool,
     ended: bool,
 }
@@ -49,7 +51,17 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
     pub fn new(front: State<R, N>, until: R) -> Self {
         let interval = Interval { from: front.t, to: front.t };
         let tracks = core::array::from_fn(|_| Track::new());
-        Self { until, front, interval, tracks, length: None, blind: 0, begun: false, ended: false }
+        Self {
+            until,
+            front,
+            interval,
+            tracks,
+            length: None,
+            blind: 0,
+            leaps: false,
+            begun: false,
+            ended: false,
+        }
     }
 
     /// The next event, to which the motion moves.
@@ -77,7 +89,13 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         }
         let mut attempts = motion.limits.attempts;
         loop {
-            let found = self.pending(motion, guards);
+            let mut found = self.pending(motion, guards);
+            if found.is_none() && core::mem::take(&mut self.leaps) {
+                for (track, guard) in self.tracks.iter_mut().zip(guards) {
+                    track.jumped(Watched { motion: &mut *motion, guard }.at(&self.front), self.interval);
+                }
+                found = self.pending(motion, guards);
+            }
             let found = match found {
                 None if self.front.t == self.until => self.last(),
                 found => found,
@@ -171,8 +189,14 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
                 *state = motion.peek(interval.time(R::from_f64(i as f64 / (POINTS - 1) as f64)))?;
             }
             let strict = length > R::from_f64(SHORTEST) * step && length > resolution;
-            match self.look(motion, guards, interval, &states, strict) {
-                Ok(()) => self.blind = 0,
+            // A polynomial leads to the state before a jump.
+            let (mut smooth, before) = (states, *M::end(&motion.memory));
+            let leaps = before.t == to && smooth.last().is_some_and(|after| *after != before);
+            if let (true, Some(last)) = (leaps, smooth.last_mut()) {
+                *last = before;
+            }
+            match self.look(motion, guards, interval, &smooth, strict) {
+                Ok(()) => (self.blind, self.leaps) = (0, leaps),
                 Err(Refused::Failed(error)) => return Err(error),
                 Err(Refused::TooLong(cause)) if length <= resolution => {
                     let is_number = self.compare(motion, guards, interval, &states);

@@ -78,6 +78,17 @@ impl<R: Ordered> Track<R> {
         }
     }
 
+    /// Notes that the motion has jumped at the end of the interval, and the guard to this value. If it has
+    /// come to the other side of zero, that is a crossing there.
+    pub fn jumped(&mut self, after: R, interval: Interval<R>) {
+        if let (Memory::Side(before), Memory::Side(side)) = (self.memory, begin(after, self.noise))
+            && side != before
+        {
+            self.memory = Memory::Side(side);
+            self.set(R::one(), leading_to(side), interval, R::epsilon() * interval.to.abs());
+        }
+    }
+
     /// A zero at the end of the interval that has not been counted, because the guard has not left it. From
     /// this call on it has been counted.
     pub fn take_last(&mut self, interval: Interval<R>) -> Option<Pending<R>> {
