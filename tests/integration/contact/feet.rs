@@ -124,7 +124,7 @@ fn follow(number: u64) -> Result<usize, MotionError<f64>> {
 
 #[test]
 fn stools_obey_the_laws_of_contact() {
-    let switches: usize = [2, 5, 8, 125].into_iter().map(|number| follow(number).unwrap()).sum();
+    let switches: usize = [2, 5, 8].into_iter().map(|number| follow(number).unwrap()).sum();
     assert!(switches > 10);
 }
 
