@@ -104,11 +104,12 @@ where
     }
 
     /// The same where some contacts stay closed and the others obey Newton's law. `None` where it has no
-    /// solution or adds energy, and for other laws.
+    /// solution or adds energy, for other laws, and for so many contacts that a search takes long.
     #[cold]
     pub(super) fn landing(&self, rests: &[bool; C]) -> Option<Struck<S::Scalar, N, C>> {
         let zero: S::Scalar = num_traits::Zero::zero();
-        if (0..C).any(|row| S::POISSON[row] && self.is_closed[row] && !rests[row]) {
+        let is_other = |row: usize| S::POISSON[row] && self.is_closed[row] && !rests[row];
+        if (0..C).any(is_other) || combinations(&array::<_, C>(|row| self.ways(row))) > FEW {
             return None;
         }
         let restitution = array(|row| if rests[row] { zero } else { self.laws.restitution[row] });
