@@ -30,6 +30,10 @@ use crate::system::state::State;
 /// closed.
 const FEW: usize = 64;
 
+/// Of up to so many contacts the impact is sought again that leaves some of them closed: more have many
+/// combinations, of which none may agree.
+const TOGETHER: usize = 2;
+
 /// Velocities after an impact, and the impulses of all rows.
 pub(super) type Struck<R, const N: usize, const C: usize> = ([R; N], [R; C]);
 
@@ -108,11 +112,17 @@ where
     #[cold]
     pub(super) fn landing(&self, rests: &[bool; C]) -> Option<Struck<S::Scalar, N, C>> {
         let zero: S::Scalar = num_traits::Zero::zero();
-        let is_other = |row: usize| S::POISSON[row] && self.is_closed[row] && !rests[row];
-        if (0..C).any(is_other) || combinations(&array::<_, C>(|row| self.ways(row))) > FEW {
+        let holds = S::POISSON.iter().zip(&self.is_closed).zip(rests);
+        let mut others =
+            holds.filter(|((is_poisson, is_closed), rests)| **is_poisson && **is_closed && !**rests);
+        let touching = self.is_closed.iter().filter(|is_closed| **is_closed).count();
+        if others.next().is_some() || touching > TOGETHER {
             return None;
         }
-        let restitution = array(|row| if rests[row] { zero } else { self.laws.restitution[row] });
+        let mut restitution = self.laws.restitution;
+        for (restitution, _) in restitution.iter_mut().zip(rests).filter(|(_, rests)| **rests) {
+            *restitution = zero;
+        }
         let strike = self.strike(&Demand { restitution, given: [zero; C] }).ok()?;
         if self.gains(&strike) {
             return None;
