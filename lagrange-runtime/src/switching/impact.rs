@@ -112,11 +112,10 @@ where
     #[cold]
     pub(super) fn landing(&self, rests: &[bool; C]) -> Option<Struck<S::Scalar, N, C>> {
         let zero: S::Scalar = num_traits::Zero::zero();
-        let holds = S::POISSON.iter().zip(&self.is_closed).zip(rests);
-        let mut others =
-            holds.filter(|((is_poisson, is_closed), rests)| **is_poisson && **is_closed && !**rests);
+        let mut rows = S::POISSON.iter().zip(&self.is_closed).zip(rests);
+        let has_other = rows.any(|((is_poisson, is_closed), rests)| *is_poisson && *is_closed && !*rests);
         let touching = self.is_closed.iter().filter(|is_closed| **is_closed).count();
-        if others.next().is_some() || touching > TOGETHER {
+        if has_other || touching > TOGETHER {
             return None;
         }
         let mut restitution = self.laws.restitution;
