@@ -157,7 +157,8 @@ where
     }
 
     /// Goes on from another state: a thrust, a reset, a bounce. It is checked as the start of a motion is,
-    /// when the motion goes on. The inputs and the length of the steps stay what they are.
+    /// when the motion goes on. The inputs and the length of the steps stay what they are, and a state on a
+    /// kink is on the side of it on which the motion was. Contacts and friction begin anew.
     #[inline]
     pub fn set_state(&mut self, state: State<S::Scalar, N>) {
         let is_other = state != self.state;

@@ -3,7 +3,6 @@
 use super::run::{CHANGES, Run};
 use super::scene::{above, entry, most};
 use super::{Regime, Switching, Wanted};
-
 use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real};
 use crate::number::rounded::Rounded;

@@ -12,6 +12,7 @@
 
 use super::choice::Choice;
 use super::scene::{Known, Scales, Scene, Status, above, entry, most, put, rounding};
+use super::sided::laws_on;
 use super::turning::has_pairs;
 use super::way::{Way, shift};
 use super::{Regime, Switching};
@@ -339,7 +340,7 @@ where
         let [gain_q, gain_v] = self.gain(a, b, later);
         let (t, q, v) = (t + later, array(|i| q[i] + gain_q[i]), array(|i| v[i] + gain_v[i]));
         // The slip is that of its own accelerations: in the direction of the load, as it is there.
-        let rates = self.system.laws_at(t, &q, &v, self.inputs).rows.rates;
+        let rates = laws_on(self.system, &State { t, q, v }, self.inputs, &self.kinks).rows.rates;
         let lack = array(|row| if begins.has(row) { slips[row] - rates[row] } else { zero });
         let equations = S::equations_in(&in_regime, t, &q, &v, self.inputs).ok_or(Not::Grown)?;
         let (change, _) = equations.saddle.solve(&[zero; N], &lack);

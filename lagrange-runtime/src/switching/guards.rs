@@ -4,6 +4,7 @@ mod values;
 mod watch;
 
 use super::scene::{Scales, entry, most, rounding};
+use super::sided::laws_on;
 use super::{Functions, Regime, Row, Switching};
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved};
 use crate::number::elements::{Each, array};
@@ -75,7 +76,7 @@ where
             };
         }
         if turns {
-            watch.directions = system.laws_at(start.t, &start.q, &start.v, inputs).rows.rates;
+            watch.directions = laws_on(system, start, inputs, &regime.kinks).rows.rates;
         }
         Self { system, in_regime, regime, inputs, start, watch }
     }

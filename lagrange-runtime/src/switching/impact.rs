@@ -30,10 +30,6 @@ use crate::system::state::State;
 /// closed.
 const FEW: usize = 64;
 
-/// Of up to so many contacts the impact is sought again that leaves some of them closed: more have many
-/// combinations, of which none may agree.
-const TOGETHER: usize = 2;
-
 /// Velocities after an impact, and the impulses of all rows.
 pub(super) type Struck<R, const N: usize, const C: usize> = ([R; N], [R; C]);
 
@@ -108,14 +104,13 @@ where
     }
 
     /// The same where some contacts stay closed and the others obey Newton's law. `None` where it has no
-    /// solution or adds energy, for other laws, and for so many contacts that a search takes long.
+    /// solution or adds energy, for other laws, and where the impulses at others open one of them.
     #[cold]
     pub(super) fn landing(&self, rests: &[bool; C]) -> Option<Struck<S::Scalar, N, C>> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let mut rows = S::POISSON.iter().zip(&self.is_closed).zip(rests);
         let has_other = rows.any(|((is_poisson, is_closed), rests)| *is_poisson && *is_closed && !*rests);
-        let touching = self.is_closed.iter().filter(|is_closed| **is_closed).count();
-        if has_other || touching > TOGETHER {
+        if has_other {
             return None;
         }
         let mut restitution = self.laws.restitution;
@@ -123,7 +118,8 @@ where
             *restitution = zero;
         }
         let strike = self.strike(&Demand { restitution, given: [zero; C] }).ok()?;
-        if self.gains(&strike) {
+        let opens = rests.iter().zip(&strike.active).any(|(rests, is_active)| *rests && !is_active);
+        if opens || self.gains(&strike) {
             return None;
         }
         Some((array(|i| self.state.v[i] + strike.changes[i]), strike.impulses))

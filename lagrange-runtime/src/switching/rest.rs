@@ -8,6 +8,7 @@
 use super::choice::Sizes;
 use super::impact::Struck;
 use super::scene::{Known, Scales, Scene, Status, above, entry, extent, most, put, rounding};
+use super::sided::laws_on;
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
 use crate::number::elements::array;
@@ -38,8 +39,8 @@ where
         if (0..C).all(|row| against(row) == zero) {
             return;
         }
+        let rates = laws_on(self.system, state, self.inputs, &self.kinks).rows.rates;
         let State { t, q, v } = state;
-        let rates = self.system.laws_at(*t, q, v, self.inputs).rows.rates;
         let (mut closed, mut wanted) = (*regime, [zero; C]);
         let is_against = |row: &usize| (against(*row) * entry(&rates, *row)).is_positive();
         if !(0..C).any(|row| is_against(&row)) {

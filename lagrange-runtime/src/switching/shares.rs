@@ -7,6 +7,7 @@
 use super::choice::{Choice, is_limit};
 use super::nearest::nearest;
 use super::scene::{Scene, Status, Sticking, above, against, entry, extent, most, product, rounding};
+use super::sided::laws_on;
 use super::turning::TURNS;
 use super::{Coefficients, Regime, Row, Switching};
 use crate::linear::{SaddlePoint, Switched};
@@ -66,7 +67,7 @@ where
     /// drive them, or as they are if their size is given; zero for others.
     pub(super) fn drags(&self, regime: &Regime<S::Scalar, C, W>, v: &[S::Scalar; N]) -> [S::Scalar; C] {
         let State { t, q, .. } = &self.state;
-        let laws = self.system.laws_at(*t, q, v, self.inputs);
+        let laws = laws_on(self.system, &State { v: *v, ..self.state }, self.inputs, &self.kinks);
         let coefficients = self.system.coefficients_at(*t, q, v, self.inputs, &laws);
         let rates = &laws.rows.rates;
         array(|row| {

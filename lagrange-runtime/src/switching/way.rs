@@ -11,7 +11,7 @@ pub(super) struct Way<R, const N: usize> {
     /// The accelerations at its end.
     pub(super) accelerations: [R; N],
     /// Their rate.
-    pub(super) rates: [R; N],
+    rates: [R; N],
     /// The time that it takes \[s], if its start is known.
     lasts: R,
     /// What coordinates and velocities lack at its start, since its end has been projected onto constraints.

@@ -30,10 +30,11 @@ fn a_valley_with_a_kink() {
     assert!(motion.steps().accepted < 1500, "{:?}", motion.steps());
 }
 
-/// What an event adds to the energy is what rounding the velocity does, three times, not what the force would
-/// do on the way by which the place of the event is wrong: that would be twice as much.
+/// An event rounds the velocity three times, by half an ulp at most, which changes the energy by an ulp each
+/// time. The signs are random. A place of the event that is wrong by half an ulp of the time since the last one
+/// would add four, since the force turns round there.
 #[test]
-fn events_on_kinks_walk_at_random_by_an_ulp_of_the_energy() {
+fn events_on_kinks_walk_at_random_by_three_ulps_of_the_energy_at_most() {
     let (starts, mut squares, mut events) = (64, 0.0, 0.0);
     for number in 0..starts {
         let height = 0.5 + 1.5 * (f64::from(number) + 0.37) / f64::from(starts);
@@ -45,7 +46,7 @@ fn events_on_kinks_walk_at_random_by_an_ulp_of_the_energy() {
     }
     let root_mean_square = (squares / f64::from(starts)).sqrt();
     let walk = (events / f64::from(starts)).sqrt() * f64::EPSILON;
-    assert!(root_mean_square < 2.5 * walk, "{root_mean_square:e} instead of {walk:e}");
+    assert!(root_mean_square < 3.0 * walk, "{root_mean_square:e} instead of {walk:e}");
 }
 
 struct Bilinear;
