@@ -15,7 +15,14 @@ import mpmath as mp
 import cases
 
 mp.mp.dps = 40
-G = mp.mpf("9.81")
+
+
+def d(number):
+    """A parameter as programs have it: the nearest double of a decimal."""
+    return mp.mpf(float(number))
+
+
+G = d("9.81")
 # (start, time to stop); of `slope` the state is (downhill, across) and its rates.
 RUNS = {
     "ball": (["1", "0"], "3"),
@@ -50,8 +57,7 @@ def parabola(a, state):
 
 
 def motion(name, state, p):
-    """The motion of a case in a mode, with exact decimals for its parameters."""
-    d = mp.mpf
+    """The motion of a case in a mode."""
     if name == "ball":
         return parabola(-G, state)
     if name == "valley":
@@ -76,7 +82,6 @@ def motion(name, state, p):
 
 def after(name, s, p):
     """What follows an event."""
-    d = mp.mpf
     if name in ("ball", "wall"):
         return [d(0), -d("0.8" if name == "ball" else "0.9") * s[1]], p
     if name == "block":
@@ -111,7 +116,6 @@ def run(name, state, end):
 
 def slope():
     """Slides across a slope of 0.3 rad with 0.45 until it rests: from v' = g sin a cos b − m, v b' = −g sin a sin b."""
-    d = mp.mpf
     down, drag = G * mp.sin(d("0.3")), d("0.45") * G * mp.cos(d("0.3"))
     # b: from downhill to the velocity, v sin b times a power of tan(b / 2) stays.
     k = drag / down
@@ -129,7 +133,7 @@ def main():
     for name, (start, end) in RUNS.items():
         if start is None:
             start = [mp.mpf("0.6") * mp.atan(mp.mpf("0.2") / mp.mpf("0.5")), mp.mpf(0)]
-        start = [mp.mpf(x) for x in start]
+        start = [d(x) for x in start]
         found = run(name, start, mp.mpf(end))
         out[name] = {"t_end": float(end), "start": [text(x) for x in start], "end": [text(x) for x in found]}
         print(name, out[name], flush=True)

@@ -225,10 +225,14 @@ fn laws(emission: &Emission<'_>, switching: &mut Regimes) -> String {
         Law::Unilateral { restitution, .. } => Some(*restitution),
         Law::Friction { .. } => None,
     });
-    let friction: [fn(&Law) -> Option<NodeId>; 2] = [
-        |law| if let Law::Friction { kinetic, .. } = law { Some(*kinetic) } else { None },
-        |law| if let Law::Friction { fixed, .. } = law { Some(*fixed) } else { None },
-    ];
+    let friction: [fn(&Law) -> Option<NodeId>; 2] = match &switching.coefficients {
+        // `coefficients_in` gives them.
+        Some(_) => [|_| None; 2],
+        None => [
+            |law| if let Law::Friction { kinetic, .. } = law { Some(*kinetic) } else { None },
+            |law| if let Law::Friction { fixed, .. } = law { Some(*fixed) } else { None },
+        ],
+    };
     let lists = [
         ("positions", conditions.positions.clone()),
         ("position_sizes", conditions.position_sizes.clone()),

@@ -47,9 +47,11 @@ pub struct Regimes {
     pub model: Model,
     /// The functions that end a regime, in the graph of `model`.
     pub guards: Functions,
-    /// Coefficients of friction for slips forward and backward, in the graph of `rows`; `None` if no law
-    /// depends on the direction of a slip.
+    /// Coefficients of friction for slips forward and backward, in the graph of `model`; `None` if they are
+    /// functions of the state: without kinks, whatever the direction of a slip is.
     pub coefficients: Option<[Coefficients; 2]>,
+    /// Whether a law of friction depends on the direction of a slip.
+    pub is_directed: bool,
     /// The equations of `model`.
     pub equations: Equations,
     /// The equations that its series is made of, if they are others.
@@ -78,7 +80,8 @@ pub struct Functions {
 }
 
 impl Functions {
-    /// Of a model in one regime with these equations, before contacts hold at times.
+    /// Of a model in one regime with these equations, before contacts hold at times, and the coefficients of
+    /// friction for slips forward and backward.
     fn of(
         graph: &mut Graph,
         conditions: &Conditions,
@@ -86,7 +89,7 @@ impl Functions {
         slips: &[NodeId],
         loads: usize,
         kinks: Vec<NodeId>,
-    ) -> Functions {
+    ) -> (Functions, [Coefficients; 2]) {
         let zero = graph.zero();
         let held = conditions.count() - contacts.len();
         let of_contacts = (held..).zip(contacts).map(|(row, contact)| match contact.law {
@@ -95,9 +98,10 @@ impl Functions {
         });
         let nothing = |count| std::iter::repeat_n(zero, count);
         let rows = nothing(held).chain(of_contacts).chain(nothing(loads)).collect();
-        let fixed = sliding::coefficients(graph, contacts, slips)
-            .map(|coefficients| coefficients.on_rows(zero, held, loads).fixed);
-        Functions { rows, fixed, kinks }
+        let coefficients = sliding::coefficients(graph, contacts, slips)
+            .map(|coefficients| coefficients.on_rows(zero, held, loads));
+        let fixed = [0, 1].map(|way: usize| coefficients[way].fixed.clone());
+        (Functions { rows, fixed, kinks }, coefficients)
     }
 
     /// All of them, in the order of the fields.
@@ -160,14 +164,12 @@ pub fn derive(
     }
     let slips = &switches.slip[held..];
     let behind = loads.len();
-    let guards =
+    let (guards, coefficients) =
         Functions::of(&mut regime.graph, &equations.conditions, &contacts_in, slips, behind, kinks_in);
     equations.followed = guards.all();
-    let coefficients = (sliding::have_directions(&contacts, &sliding)).then(|| {
-        let zero = rows.graph.zero();
-        sliding::coefficients(&mut rows.graph, &sliding, slips)
-            .map(|coefficients| coefficients.on_rows(zero, held, behind))
-    });
+    let is_directed = sliding::have_directions(&contacts, &sliding);
+    let are_kinked = contacts.iter().filter_map(kinks::laws).flatten().any(|law| kinks::are_in(&rows, law));
+    let coefficients = (is_directed || are_kinked).then_some(coefficients);
     if !contacts.is_empty() {
         hold(&mut regime.graph, &mut equations, &switches, held, &contacts_in, loads);
     }
@@ -198,6 +200,7 @@ pub fn derive(
         model: regime,
         guards,
         coefficients,
+        is_directed,
         equations,
         turned,
         facts,
@@ -290,7 +293,8 @@ fn turned(described: &Model, regime: &mut Model, switches: &Switches, kinks: &[N
     let (kinks, contacts) = on_sides(&mut model, &kinks, switches, &contacts);
     let mut equations = mechanics::turning(&mut model)?;
     let slips = &switches.slip[held..];
-    let guards = Functions::of(&mut model.graph, &equations.conditions, &contacts, slips, loads.len(), kinks);
+    let (guards, _) =
+        Functions::of(&mut model.graph, &equations.conditions, &contacts, slips, loads.len(), kinks);
     equations.followed = guards.all();
     if !contacts.is_empty() {
         hold(&mut model.graph, &mut equations, switches, held, &contacts, loads);

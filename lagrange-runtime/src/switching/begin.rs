@@ -27,13 +27,15 @@ where
             return Err(Cause::NotFinite);
         }
         let laws = self.system.laws_at(state.t, &state.q, &state.v, &self.control.0);
-        let coefficients = self.system.coefficients_at(state.t, &state.q, &state.v, &self.control.0, &laws);
-        self.check(&laws, &coefficients)?;
         let mut present = self.memory.regime;
         present.kinks = sides(&laws.kinks, &present.kinks, &laws.kink_sizes);
         // Constraints that always hold must hold at the start as well.
         let alone = Regime { kinks: present.kinks, ..Regime::open(&S::ROWS) };
         let in_regime = self.system.in_regime(&alone);
+        self.check(&laws, &{
+            let State { t, q, v } = &state;
+            S::coefficients_in(&in_regime, *t, q, v, &self.control.0, &laws)
+        })?;
         if S::InRegime::CONSTRAINED && S::ROWS.contains(&Row::Bilateral) {
             in_regime.begin_at(&in_regime.constants(), &mut state)?;
         } else {

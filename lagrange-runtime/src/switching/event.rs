@@ -1,10 +1,10 @@
 //! The search for the place where a piece of the motion ends before its step.
 
+use super::Switching;
 use super::course::Course;
-use super::guards::{Guard, Guards};
+use super::guards::Guards;
 use super::place::Event;
 use super::run::Run;
-use super::{Row, Switching};
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::control::Held;
@@ -88,14 +88,12 @@ where
         let late = match (passed, guard) {
             (Some(passed), Some(guard)) => {
                 let late = |t: S::Scalar| (t - start.t) - passed.part(0);
-                // A contact still presses at a time that is rounded to before the zero of its reaction, and
-                // would close again at once.
-                let is_contact =
-                    matches!(guard, Guard::Row(row) if S::ROWS.get(row) == Some(&Row::Unilateral));
+                // At a time that is rounded to before the zero of its guard a contact still presses, and would
+                // close again at once. A friction still sticks: a slip would have the wrong direction.
                 let next = state.t + S::Scalar::epsilon() * state.t.abs() * span.signum();
                 if !guards.is_of_reactions(guard) {
                     earlier = Some(at_time(before)?);
-                } else if is_contact && late(state.t) * span < zero && !is_beyond(next) {
+                } else if late(state.t) * span < zero && !is_beyond(next) {
                     state = at_time(next)?;
                 }
                 late(state.t)

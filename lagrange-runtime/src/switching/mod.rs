@@ -100,7 +100,8 @@ pub struct Laws<R, const C: usize, const W: usize> {
     /// Coefficients of restitution of unilateral rows.
     pub restitution: [R; C],
     /// Coefficients of friction while slipping. Where a limit is given, it stands here itself: a force \[N],
-    /// or for an angular slip a torque \[N m].
+    /// or for an angular slip a torque \[N m]. Nothing stands here where
+    /// [`coefficients_in`](Switching::coefficients_in) has coefficients of its own.
     pub kinetic: [R; C],
     /// The same while sticking: no less than the kinetic ones.
     pub fixed: [R; C],
@@ -204,9 +205,10 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         wanted: &Wanted<C, W>,
     ) -> Functions<T, C, W>;
 
-    /// Coefficients of friction at a state with these laws, where each slip goes forward, and backward.
-    fn coefficients_at(
-        &self,
+    /// Coefficients of friction in a regime, at a state with these laws, where each slip goes forward, and
+    /// backward. A state on a kink, as at the moment at which a coefficient jumps, does not tell them.
+    fn coefficients_in(
+        _in_regime: &Self::InRegime,
         _t: Self::Scalar,
         _q: &[Self::Scalar; N],
         _v: &[Self::Scalar; N],

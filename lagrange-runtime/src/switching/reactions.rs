@@ -109,10 +109,11 @@ where
         }
         // Rows have gradients where they are active.
         if held.active != regime.active
-            && let Some(known) = S::rows_in(&system.in_regime(&held), *t, q, v, inputs)
+            && let in_regime = system.in_regime(&held)
+            && let Some(known) = S::rows_in(&in_regime, *t, q, v, inputs)
         {
             let laws = system.laws_at(*t, q, v, inputs);
-            let coefficients = system.coefficients_at(*t, q, v, inputs, &laws);
+            let coefficients = S::coefficients_in(&in_regime, *t, q, v, inputs, &laws);
             for (row, gradient) in known.gradients.iter().enumerate().filter(|(row, _)| slips(*row)) {
                 let limit = entry(&against(&coefficients, entry(&regime.slip, row)).kinetic, row);
                 for (given, &entry) in given.iter_mut().zip(gradient) {

@@ -187,7 +187,8 @@ where
         let (mut gradients, mut gamma) = ([[num_traits::Zero::zero(); N]; C], [num_traits::Zero::zero(); C]);
         let mut units = [num_traits::Zero::zero(); N];
         let all = Regime { active: [true; C], kinks, ..Regime::open(&S::ROWS) };
-        if let Some(rows) = S::rows_in(&system.in_regime(&all), t, &q, &v, inputs) {
+        let in_regime = system.in_regime(&all);
+        if let Some(rows) = S::rows_in(&in_regime, t, &q, &v, inputs) {
             (gradients, gamma, units) = (rows.gradients, rows.gamma, rows.units);
         }
         let speeds = array(|row| most(scales.speeds[row], laws.rows.rate_sizes[row]));
@@ -196,7 +197,7 @@ where
             state: *state,
             inputs,
             kinks,
-            coefficients: system.coefficients_at(t, &q, &v, inputs, &laws),
+            coefficients: S::coefficients_in(&in_regime, t, &q, &v, inputs, &laws),
             laws,
             status: [Status::Apart; C],
             is_closed: [false; C],

@@ -68,7 +68,7 @@ where
     pub(super) fn drags(&self, regime: &Regime<S::Scalar, C, W>, v: &[S::Scalar; N]) -> [S::Scalar; C] {
         let State { t, q, .. } = &self.state;
         let laws = laws_on(self.system, &State { v: *v, ..self.state }, self.inputs, &self.kinks);
-        let coefficients = self.system.coefficients_at(*t, q, v, self.inputs, &laws);
+        let coefficients = S::coefficients_in(&self.system.in_regime(regime), *t, q, v, self.inputs, &laws);
         let rates = &laws.rows.rates;
         array(|row| {
             let Row::Friction { pair, .. } = S::ROWS[row] else { return num_traits::Zero::zero() };

@@ -227,15 +227,15 @@ where
         S::functions_in(&in_regime.in_regime, number, t, q, v, u, wanted)
     }
 
-    fn coefficients_at(
-        &self,
+    fn coefficients_in(
+        in_regime: &Self::InRegime,
         t: S::Scalar,
         q: &[S::Scalar; N],
         v: &[S::Scalar; N],
         u: &[S::Scalar; K],
         laws: &Laws<S::Scalar, C, W>,
     ) -> [Coefficients<S::Scalar, C>; 2] {
-        self.system.coefficients_at(self.instant + t, q, v, u, laws)
+        S::coefficients_in(&in_regime.in_regime, in_regime.instant + t, q, v, u, laws)
     }
 
     fn backward_in<T: Real>(

@@ -91,6 +91,15 @@ fn a_block_on_a_belt_sticks_and_slips() {
     }
 }
 
+#[test]
+fn a_block_on_a_belt_keeps_time_over_a_hundred_periods() {
+    // Times near 300 s are rounded by 3e-14 s, at each of two hundred switches.
+    let belt = Belt { stiffness: 9.0, fixed: 0.5, kinetic: 0.3, speed: 0.2 };
+    let mut motion = belt.simulate(State::new([0.0], [0.2])).with_tolerance(1e-15);
+    let state = motion.advance_to(300.0).unwrap();
+    all_close([state.q[0], state.v[0]], [0.316497945417455, -0.5496326385568778], 1e-14);
+}
+
 /// N12: a particle on a rough incline, pushed across the slope.
 struct Incline {
     angle: f64,

@@ -4,6 +4,7 @@ mod balls;
 mod bearings;
 mod bounces;
 mod breakaway;
+mod changing_coefficients;
 mod coincident;
 mod corners;
 mod dead_centres;

@@ -1,23 +1,22 @@
-//! Coefficients of friction that depend on the direction of the slip.
+//! Coefficients of friction that depend on the direction of the slip or on the sides of kinks.
 
 use quote::format_ident;
 
+use super::super::Emission;
 use super::super::body::{self, Source};
-use super::super::{Emission, names};
 use super::NUMBER;
 use crate::expr::NodeId;
 use crate::regimes::Regimes;
 use crate::syntax::Scalar;
 
-/// `coefficients_at`, if a law depends on the direction of a slip.
-pub(super) fn coefficients(emission: &Emission<'_>, switching: &mut Regimes) -> String {
+/// `coefficients_in`, if a law depends on the direction of a slip or has kinks.
+pub(super) fn coefficients(emission: &Emission<'_>, switching: &Regimes) -> String {
     let Some(coefficients) = &switching.coefficients else { return String::new() };
     let (scalar, vector, inputs) = (&emission.scalar, emission.vector_type(), emission.input_type());
     let (rows, kinks) = (switching.rows(), switching.kinks.len());
     let lists = coefficients.iter().flat_map(|coefficients| [&coefficients.kinetic, &coefficients.fixed]);
     let roots: Vec<NodeId> = lists.flatten().copied().collect();
-    switching.rows.locals = names::locals(&switching.rows, emission.item.least_loop);
-    let body = body::plain(&switching.rows, scalar, &roots, Source::Slices, |values| {
+    let body = body::plain(&switching.model, scalar, &roots, Source::Numbers, |values| {
         let mut lists = values.chunks(rows).map(|values| values.join(", "));
         let mut coefficients = || {
             let [kinetic, fixed] = [(); 2].map(|()| lists.next().unwrap_or_default());
@@ -26,15 +25,17 @@ pub(super) fn coefficients(emission: &Emission<'_>, switching: &mut Regimes) -> 
         format!("[{}, {}]", coefficients(), coefficients())
     });
     format!(
-        "fn coefficients_at(&self, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}, \
+        "fn coefficients_in(__in_regime: &Self::InRegime, \
+         t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}, \
          _: &lagrange::Laws<{scalar}, {rows}, {kinks}>) \
-         -> [lagrange::Coefficients<{scalar}, {rows}>; 2] {{\n{body}\n}}\n"
+         -> [lagrange::Coefficients<{scalar}, {rows}>; 2] {{\n\
+         let __number = |number: {scalar}| number;\n{body}\n}}\n"
     )
 }
 
 /// `backward_in`, if a law depends on the direction of a slip.
 pub(super) fn backward(emission: &Emission<'_>, switching: &Regimes) -> String {
-    if switching.coefficients.is_none() {
+    if !switching.is_directed {
         return String::new();
     }
     let numbers = Scalar::Generic(format_ident!("{NUMBER}"));

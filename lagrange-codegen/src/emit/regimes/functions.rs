@@ -145,9 +145,10 @@ fn along(switching: &Regimes) -> String {
     });
     let mut list = |count: usize| along.by_ref().take(count).collect::<Vec<_>>().join(", ");
     let [of_rows, forward, backward, of_kinks] = [rows, rows, rows, kinks].map(&mut list);
-    let backward = match &switching.coefficients {
-        Some(_) => format!("const BACKWARD: [lagrange::Along; {rows}] = [{backward}];\n"),
-        None => String::new(),
+    let backward = if switching.is_directed {
+        format!("const BACKWARD: [lagrange::Along; {rows}] = [{backward}];\n")
+    } else {
+        String::new()
     };
     format!(
         "const FOLLOWED: usize = {};\n\

@@ -1,0 +1,170 @@
+//! Coefficients and limits of friction that jump: at a time, or at a place.
+
+use lagrangian::prelude::*;
+
+use super::TIGHT;
+use crate::support::close::close;
+
+/// Gravity along and across a slope whose sine is 0.6.
+const ALONG: f64 = 0.6 * 9.81;
+const ACROSS: f64 = 0.8 * 9.81;
+
+/// A block on a slope that changes its roughness at a time. `late_then` is one if it has changed at
+/// that time itself, else zero.
+struct Slope {
+    when: f64,
+    early: f64,
+    late: f64,
+    late_then: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Slope {
+    #[point(mass = 2.0)]
+    fn block(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        2.0 * (ACROSS * q.y - ALONG * q.x)
+    }
+
+    fn roughness(&self, t: f64) -> f64 {
+        let until = if t < self.when { 1.0 } else { 0.0 };
+        let through = if t <= self.when { 1.0 } else { 0.0 };
+        let share = if self.late_then > 0.5 { until } else { through };
+        self.late + (self.early - self.late) * share
+    }
+
+    #[unilateral(restitution = 0.0)]
+    fn plane(&self, q: &Coordinates) -> f64 {
+        q.y
+    }
+
+    #[friction(coefficient = roughness, normal = plane)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+}
+
+/// The way down until `end` from rest.
+fn way(slope: &Slope, end: f64) -> f64 {
+    let [early, late] = [slope.early, slope.late].map(|roughness| ALONG - roughness * ACROSS);
+    let [mut x, mut v, mut since] = [0.0, 0.0, slope.when];
+    if early > 0.0 {
+        (x, v) = (0.5 * early * since * since, early * since);
+    }
+    since = end - since;
+    if late < 0.0 {
+        since = since.min(v / -late);
+    }
+    x += v * since + 0.5 * late * since * since;
+    if late < 0.0 && v == 0.0 { 0.0 } else { x }
+}
+
+#[test]
+fn a_slope_changes_its_roughness_at_any_time() {
+    for step in 1..100 {
+        let when = 0.01 * f64::from(step) + 1e-3 * f64::from(step).sqrt();
+        for [early, late] in [[0.9, 0.2], [0.2, 0.9], [0.9, 0.8], [0.2, 0.1]] {
+            for late_then in [0.0, 1.0] {
+                let slope = Slope { when, early, late, late_then };
+                let expected = way(&slope, 3.0);
+                let start = State::at_rest([0.0, 0.0]);
+                let mut motion = slope.simulate(start).with_tolerance(TIGHT);
+                close(motion.advance_to(3.0).unwrap().q[0], expected, 1e-12);
+            }
+        }
+    }
+}
+
+#[test]
+fn fixed_steps_meet_a_change_of_roughness() {
+    let slope = Slope { when: 0.4567, early: 0.9, late: 0.2, late_then: 1.0 };
+    let mut stepper = slope.stepper::<Jet<6>>(State::at_rest([0.0, 0.0]));
+    for _ in 0..300 {
+        stepper.step(0.01, &[]).unwrap();
+    }
+    close(stepper.state().q[0], way(&slope, stepper.state().t), 1e-12);
+}
+
+/// A shaft under a torque, with a clutch that closes and opens again and again.
+struct Clutch {
+    rate: f64,
+}
+
+#[lagrangian(coordinates = [angle])]
+impl Clutch {
+    #[kinetic]
+    fn rotation(&self, v: &Velocities) -> f64 {
+        0.5 * v.angle * v.angle
+    }
+
+    #[force(on = angle)]
+    fn drive(&self) -> f64 {
+        0.9
+    }
+
+    fn limit(&self, t: f64) -> f64 {
+        if (self.rate * t).sin() > 0.0 { 2.0 } else { 0.0 }
+    }
+
+    #[friction(limit = limit)]
+    fn plates(&self, v: &Velocities) -> f64 {
+        v.angle
+    }
+}
+
+#[test]
+fn a_clutch_lets_go_each_time_it_opens() {
+    for step in 1..100 {
+        let rate = 1.0 + 0.04 * f64::from(step);
+        let half = std::f64::consts::PI / rate;
+        // Held in the first half of a turn, free in the second, then slowed by 2 − 0.9 and held again.
+        let fast = 0.9 * half;
+        let turn = 0.5 * fast * (half + fast / 1.1);
+        let start = State::at_rest([0.0]);
+        let end = 6.99 * half;
+        let clutch = Clutch { rate };
+        close(clutch.simulate(start).with_tolerance(TIGHT).advance_to(end).unwrap().q[0], 3.0 * turn, 1e-12);
+    }
+}
+
+/// A puck on a floor that is smooth as far as an edge, with a slip in two directions.
+struct Rink {
+    edge: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Rink {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * (v.x * v.x + v.y * v.y)
+    }
+
+    fn limit(&self, q: &Coordinates) -> f64 {
+        if q.x < self.edge { 0.1 } else { 3.0 }
+    }
+
+    #[friction(limit = limit)]
+    fn ice(&self, v: &Velocities) -> Vector2<f64> {
+        Vector2::new(v.x, v.y)
+    }
+}
+
+#[test]
+fn a_puck_stops_behind_the_edge_of_the_ice() {
+    for step in 1..100 {
+        let edge = 0.01 * f64::from(step);
+        let (speed, direction) = (1.5_f64, 0.3_f64);
+        let start = State::new([0.0; 2], [speed * direction.cos(), speed * direction.sin()]);
+        let on_ice = edge / direction.cos();
+        let way = on_ice + (speed * speed - 2.0 * 0.1 * on_ice) / (2.0 * 3.0);
+        let rink = Rink { edge };
+        let mut motion = rink.simulate(start).with_tolerance(TIGHT);
+        let end = motion.advance_to(20.0).unwrap();
+        close(end.q[0].hypot(end.q[1]), way, 1e-12);
+        assert_eq!(end.v, [0.0; 2]);
+    }
+}
