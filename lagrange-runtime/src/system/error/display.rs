@@ -109,8 +109,8 @@ impl fmt::Display for Cause {
             Self::HeldAtKink { kink, name } => write!(
                 out,
                 "the motion is pushed from both sides to where what is switched (`abs`, `signum`, `max`, …) in {function} is zero, \
-                 and would stay there: write dry friction by `#[friction]`, which can stick, and round any other kink off \
-                 (`x.hypot(a)` for `x.abs()`)",
+                 and would stay there: write dry friction by `#[friction]`, which can stick, give each side of a corner, as of the \
+                 gap `q.y - q.x.abs()`, a gap of its own, and round any other kink off (`x.hypot(a)` for `x.abs()`)",
                 function = Part(*kink, *name)
             ),
             Self::Grazes { switch, name } => write!(
