@@ -2,9 +2,10 @@
 
 use super::Switching;
 use super::course::Course;
-use super::guards::Guards;
+use super::guards::{Guard, Guards};
 use super::place::Event;
 use super::run::Run;
+use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::control::Held;
@@ -23,7 +24,7 @@ where
 {
     /// The first event of the piece: a guard falls through zero, or guards are known no further. `None` if
     /// they are known on the whole piece and none falls.
-    pub(super) fn event(&mut self, attempts: &mut u64) -> Result<Option<Event<S::Scalar, N>>, Cause> {
+    pub(super) fn event(&mut self, attempts: &mut u64) -> Result<Option<Event<S::Scalar, N, W>>, Cause> {
         let memory = &mut *self.memory;
         let (start, end) = (memory.start, memory.end);
         let (in_regime, constants) = (&memory.in_regime, &memory.constants);
@@ -101,16 +102,21 @@ where
             (None, Some(guard)) => guards.late(guard, [&at_time(before)?, &state]),
             (_, None) => zero,
         };
-        let mut event = Event { state, guard, late, place: state, accelerations: [zero; N] };
+        let (accelerations, crossed) = ([zero; N], [false; W]);
+        let mut event = Event { state, guard, late, place: state, accelerations, crossed };
         let Some(guard) = guard else { return Ok(Some(event)) };
         let State { t, q, v } = state;
         event.accelerations = in_regime.accelerations_at(constants, t, &q, &v, inputs);
         // The place of an event has rounding errors. What forces do on the way from there to the zero of the
         // guard would change the energy in each regime by another amount.
         event.go_back();
-        if let Some(earlier) = earlier {
-            event.late += guards.late(guard, [&earlier, &event.place]).part(0);
+        if let Some(earlier) = &earlier {
+            event.late += guards.late(guard, [earlier, &event.place]).part(0);
             event.go_back();
+        }
+        if let Guard::Kink(fired) = guard {
+            let earlier = if W > 1 { earlier.map_or_else(|| at_time(before), Ok)? } else { start };
+            event.crossed = array(|kink| kink == fired || guards.has_fallen(kink, [&earlier, &state]));
         }
         Ok(Some(event))
     }

@@ -331,6 +331,13 @@ where
         if late.abs() <= ulps { late } else { num_traits::Zero::zero() }
     }
 
+    /// Whether a kink that was on its side earlier is at zero, within rounding, at a later state.
+    pub(super) fn has_fallen(&self, kink: usize, states: [&State<S::Scalar, N>; 2]) -> bool {
+        let [earlier, there] = states.each(|state| self.value(Guard::Kink(kink), state, state));
+        let errors = S::Scalar::from_f64(4.0);
+        earlier.value > errors * earlier.error && there.value <= errors * there.error
+    }
+
     /// The size of the guard of a row in the course of the motion.
     fn scale(&self, row: usize, scales: &Scales<S::Scalar, C>) -> S::Scalar {
         let Some(&kind) = S::ROWS.get(row) else { return num_traits::Zero::zero() };

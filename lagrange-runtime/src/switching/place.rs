@@ -6,7 +6,7 @@ use crate::number::real::Real;
 use crate::system::state::State;
 
 /// The place where a piece ends before its step.
-pub(super) struct Event<R, const N: usize> {
+pub(super) struct Event<R, const N: usize, const W: usize> {
     pub(super) state: State<R, N>,
     /// The guard that has fired; `None` if the guards are known no further.
     pub(super) guard: Option<Guard>,
@@ -16,9 +16,12 @@ pub(super) struct Event<R, const N: usize> {
     pub(super) accelerations: [R; N],
     /// The state at the zero of the guard.
     pub(super) place: State<R, N>,
+    /// The kinks that the motion crosses there, if the guard is that of a kink: all of them at once, since
+    /// regimes without time between them are none. Friction that lets go in one of them could not stick again.
+    pub(super) crossed: [bool; W],
 }
 
-impl<R: Real, const N: usize> Event<R, N> {
+impl<R: Real, const N: usize, const W: usize> Event<R, N, W> {
     /// Takes the place back from the state, by its delay.
     pub(super) fn go_back(&mut self) {
         self.place = self.state;

@@ -308,13 +308,17 @@ where
     }
 
     /// Changes the regime where a guard has fired.
-    fn switch(&mut self, guard: Guard, event: &mut Event<S::Scalar, N>) -> Result<(), Cause> {
+    fn switch(&mut self, guard: Guard, event: &mut Event<S::Scalar, N, W>) -> Result<(), Cause> {
         let memory = &mut *self.memory;
         let (state, mut present) = (memory.end, memory.regime);
         memory.changes += 1;
         let mut fired = None;
         match guard {
-            Guard::Kink(kink) => self.cross(kink, &mut present.kinks, &state)?,
+            Guard::Kink(_) => {
+                for (kink, _) in event.crossed.iter().enumerate().filter(|(_, is_crossed)| **is_crossed) {
+                    self.cross(kink, &mut present.kinks, &state)?;
+                }
+            }
             Guard::Row(row) => {
                 if memory.changes > CHANGES * (C + W) {
                     return Err(Cause::EndlessSwitching { constraint: row, name: S::NAMES.constraint(row) });

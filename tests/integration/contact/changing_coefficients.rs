@@ -168,3 +168,53 @@ fn a_puck_stops_behind_the_edge_of_the_ice() {
         assert_eq!(end.v, [0.0; 2]);
     }
 }
+
+/// A block that is pushed harder from one time on, and pressed harder from another time on.
+struct Pushed {
+    pushed: f64,
+    pressed: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Pushed {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.x * v.x
+    }
+
+    #[force(on = x)]
+    fn push(&self, t: f64) -> f64 {
+        if t > self.pushed { 2.0 } else { 1.0 }
+    }
+
+    fn kinetic_limit(&self, t: f64) -> f64 {
+        if t > self.pressed { 1.75 } else { 1.25 }
+    }
+
+    fn static_limit(&self, t: f64) -> f64 {
+        if t > self.pressed { 2.5 } else { 1.5 }
+    }
+
+    #[friction(limit = kinetic_limit, static_limit = static_limit)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+}
+
+#[test]
+fn a_push_and_its_resistance_come_at_one_time() {
+    for step in 1..200 {
+        let pushed = 0.013 * f64::from(step);
+        // Either may be a rounding error later than the other.
+        for pressed in [pushed, pushed.next_up(), pushed.next_down()] {
+            let both = Pushed { pushed, pressed };
+            let end = *both.simulate(State::at_rest([0.0])).with_tolerance(TIGHT).advance_to(4.0).unwrap();
+            assert_eq!((end.q, end.v), ([0.0], [0.0]), "{pushed} {pressed}");
+        }
+        // Pressed a little too late, it has begun to slide.
+        let late = Pushed { pushed, pressed: pushed + 1e-3 };
+        let end = *late.simulate(State::at_rest([0.0])).with_tolerance(TIGHT).advance_to(4.0).unwrap();
+        let (speed, slid) = (0.75 * 1e-3, 4.0 - late.pressed);
+        close(end.q[0], 0.5 * 0.75 * 1e-6 + speed * slid + 0.125 * slid * slid, 1e-12);
+    }
+}
