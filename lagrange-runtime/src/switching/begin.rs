@@ -3,6 +3,7 @@
 use super::choice::sides;
 use super::run::Run;
 use super::scene::{Known, Scene, above, against, entry, extent, most, rounding};
+use super::sided::turn_ahead;
 use super::{Coefficients, Laws, Regime, Row, Switching};
 use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
@@ -44,7 +45,17 @@ where
         }
         let closed = self.penetrating(&state, &laws)?;
         let known = Known { closed, fired: None, settled: false, rested: [false; C] };
-        let regime = self.settle(&mut state, &present, known, num_traits::Zero::zero())?;
+        let begun = state;
+        let mut regime = self.settle(&mut state, &present, known, num_traits::Zero::zero())?;
+        if const { C > 0 && W > 0 } {
+            // On a kink the motion begins on the side that it goes to: on the other one it would spend no time.
+            let (a, inputs) = (&self.memory.way.accelerations, &self.control.0);
+            let there = State { v: state.v, ..begun };
+            if turn_ahead(self.system, &there, a, inputs, &laws, &mut present.kinks) {
+                state = begun;
+                regime = self.settle(&mut state, &present, known, num_traits::Zero::zero())?;
+            }
+        }
         if S::Scalar::PARTS > 1
             && let Some(row) =
                 self.memory.impulses.iter().position(|impulse| *impulse != num_traits::Zero::zero())

@@ -1,6 +1,9 @@
 //! Laws on one side of kinks.
 
-use super::{Laws, Regime, Row, Switching, Wanted};
+use num_traits::One;
+
+use super::choice::sides;
+use super::{Functions, Laws, Regime, Row, Switching, Wanted};
 use crate::number::elements::{Each, array};
 use crate::number::real::{Dual, Real};
 use crate::system::state::State;
@@ -37,25 +40,12 @@ fn take_side<S, const N: usize, const K: usize, const C: usize, const W: usize>(
 ) where
     S: Switching<N, K, C, W>,
 {
-    let in_regime = system.in_regime(&Regime { kinks: *kinks, ..Regime::open(&S::ROWS) });
-    // Along the motion: the derivative of a gap is its rate. Slip velocities are no rates.
-    let moving = |value: S::Scalar, rate: S::Scalar| Dual::<_, 1> { value, slopes: [rate] };
-    let [t, one] = [state.t, num_traits::One::one()];
-    let q = array(|i| moving(state.q[i], state.v[i]));
-    let v = state.v.each(Dual::constant);
     let wanted = Wanted { rows: [true; C], fixed: [false; C], kinks: [false; W] };
-    let functions = S::functions_in(
-        &in_regime,
-        Dual::constant,
-        moving(t, one),
-        &q,
-        &v,
-        &inputs.each(Dual::constant),
-        &wanted,
-    );
+    let functions = along(system, state, &[num_traits::Zero::zero(); N], inputs, kinks, &wanted);
     let rates = laws.rows.rates.iter_mut().zip(&mut laws.rows.rate_sizes);
     for ((rate, size), (kind, function)) in rates.zip(S::ROWS.iter().zip(&functions.rows)) {
         match kind {
+            // The derivative of a gap along the motion is its rate. Slip velocities are no rates.
             Row::Unilateral => *rate = function.slopes[0],
             Row::Friction { .. } => *rate = function.value,
             Row::Bilateral | Row::Load => continue,
@@ -64,4 +54,55 @@ fn take_side<S, const N: usize, const K: usize, const C: usize, const W: usize>(
             *size = rate.abs();
         }
     }
+}
+
+/// Turns the kinks on which a state lies to the sides that the motion goes to with these accelerations.
+/// `laws` are those of the state. Returns whether any kink has another side now.
+#[cold]
+pub(super) fn turn_ahead<S, const N: usize, const K: usize, const C: usize, const W: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    accelerations: &[S::Scalar; N],
+    inputs: &[S::Scalar; K],
+    laws: &Laws<S::Scalar, C, W>,
+    kinks: &mut [S::Scalar; W],
+) -> bool
+where
+    S: Switching<N, K, C, W>,
+{
+    let [above, below] = [S::Scalar::one(), -S::Scalar::one()].map(|side| [side; W]);
+    let [above, below] = [above, below].each(|side| sides(&laws.kinks, &side, &laws.kink_sizes));
+    // A state has a side of its own where both of these are that one.
+    if above == below {
+        return false;
+    }
+    let wanted = Wanted { rows: [false; C], fixed: [false; C], kinks: [true; W] };
+    let functions = along(system, state, accelerations, inputs, kinks, &wanted);
+    let mut has_turned = false;
+    for (kink, (side, function)) in kinks.iter_mut().zip(&functions.kinks).enumerate() {
+        if above.get(kink) != below.get(kink) && (-*side * function.slopes[0]).is_positive() {
+            (*side, has_turned) = (-*side, true);
+        }
+    }
+    has_turned
+}
+
+/// Functions on these sides of the kinks, and their rates along a motion with these accelerations.
+fn along<S, const N: usize, const K: usize, const C: usize, const W: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    accelerations: &[S::Scalar; N],
+    inputs: &[S::Scalar; K],
+    kinks: &[S::Scalar; W],
+    wanted: &Wanted<C, W>,
+) -> Functions<Dual<S::Scalar, 1>, C, W>
+where
+    S: Switching<N, K, C, W>,
+{
+    let in_regime = system.in_regime(&Regime { kinks: *kinks, ..Regime::open(&S::ROWS) });
+    let moving = |value: S::Scalar, rate: S::Scalar| Dual::<_, 1> { value, slopes: [rate] };
+    let t = moving(state.t, num_traits::One::one());
+    let q = array(|i| moving(state.q[i], state.v[i]));
+    let v = array(|i| moving(state.v[i], accelerations[i]));
+    S::functions_in(&in_regime, Dual::constant, t, &q, &v, &inputs.each(Dual::constant), wanted)
 }

@@ -218,3 +218,56 @@ fn a_push_and_its_resistance_come_at_one_time() {
         close(end.q[0], 0.5 * 0.75 * 1e-6 + speed * slid + 0.125 * slid * slid, 1e-12);
     }
 }
+
+/// A block under a push of 2, which a clamp holds after a time, and at that time does not.
+struct Clamped {
+    closed: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Clamped {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.x * v.x
+    }
+
+    #[force(on = x)]
+    fn push(&self) -> f64 {
+        2.0
+    }
+
+    fn kinetic_limit(&self, t: f64) -> f64 {
+        if t <= self.closed { 0.5 } else { 1.5 }
+    }
+
+    fn static_limit(&self, t: f64) -> f64 {
+        if t <= self.closed { 1.0 } else { 2.5 }
+    }
+
+    #[friction(limit = kinetic_limit, static_limit = static_limit)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+}
+
+#[test]
+fn a_start_at_a_jump_is_a_start_behind_it() {
+    for step in 0..100 {
+        let closed = 0.013 * f64::from(step);
+        let clamped = Clamped { closed };
+        let start = State::at_rest([0.0]).at_time(closed);
+        let end = closed + 1.0;
+        assert_eq!(clamped.simulate(start).advance_to(end).unwrap().q, [0.0]);
+        let mut stepper = clamped.stepper::<Jet<4>>(start);
+        stepper.step(1.0, &[]).unwrap();
+        assert_eq!(stepper.state().q, [0.0]);
+        // The same in the course of a motion.
+        let mut motion = clamped.simulate(start.at_time(closed - 0.5));
+        motion.advance_to(closed).unwrap();
+        motion.set_state(start);
+        assert_eq!(motion.advance_to(end).unwrap().q, [0.0]);
+        // With the least speed it slides on.
+        let start = State { v: [1e-3], ..start };
+        close(clamped.simulate(start).advance_to(end).unwrap().q[0], 0.251, 1e-12);
+    }
+}
