@@ -75,11 +75,11 @@ where
             Some(Row::Friction { .. }) | None => false,
         });
         if decided.is_some()
-            && let Ok(choice) = self.choose_among(self.options(present, avoid, decided), decided)
+            && let Ok(choice) = self.choose_among(self.options(present, avoid, decided), decided, avoid)
         {
             return Ok(choice);
         }
-        let choice = self.choose_among(self.options(present, avoid, None), None)?;
+        let choice = self.choose_among(self.options(present, avoid, None), None, avoid)?;
         let mut options = self.options(present, None, None);
         if choice.regime == *present
             && let Some(row) = avoid
@@ -89,7 +89,7 @@ where
         {
             let is_forward = pair.is_some() || (-force).is_positive();
             *own = Options::new(&[if is_forward { Part::Forward } else { Part::Backward }]);
-            return Ok(self.choose_among(options, avoid).unwrap_or(choice));
+            return Ok(self.choose_among(options, avoid, avoid).unwrap_or(choice));
         }
         Ok(choice)
     }
@@ -99,6 +99,7 @@ where
         &self,
         options: [Options; C],
         decided: Option<usize>,
+        fired: Option<usize>,
     ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
         let is_coupled = S::ROWS.iter().zip(&self.status).any(|(row, &status)| {
             matches!(row, Row::Friction { normal: Some(_), .. }) && status != Status::Apart
@@ -139,7 +140,9 @@ where
                 return Err(Cause::SeveralReactions { constraint, name: S::NAMES.constraint(constraint) });
             }
             if let Some(chosen) = chosen {
-                return Ok(chosen);
+                let is_forced = self.is_forced(&chosen, fired);
+                let forced = if is_forced { None } else { self.forced(&chosen, &options, part, decided, fired) };
+                return Ok(forced.unwrap_or(chosen));
             }
         }
         Err(cause)

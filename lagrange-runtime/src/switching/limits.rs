@@ -3,8 +3,8 @@
 use num_traits::Zero;
 
 use super::choice::Choice;
-use super::scene::{Scene, above, entry, put, rounding};
-use super::trials::Part;
+use super::scene::{Scene, Status, above, entry, put, rounding};
+use super::trials::{Options, Part, changes, combine, parts_at, regime};
 use super::turning::has_pairs;
 use super::{Along, Coefficients, Regime, Row, Switching};
 use crate::number::elements::array;
@@ -31,6 +31,57 @@ where
         lasts(&S::ALONG.fixed)
             && lasts(&S::BACKWARD)
             && self.coefficients.iter().all(|coefficients| is_zero(entry(&coefficients.fixed, first)))
+    }
+
+    /// Whether each friction that begins to slip in a regime, and that holds more at rest than it gives when it
+    /// slips, would have to hold more than it can if it stuck. If not, nothing has made it let go, though
+    /// it goes on to slip once it does. The friction that has `fired` has reached its limit.
+    pub(super) fn is_forced(&self, choice: &Choice<S::Scalar, N, C, W>, fired: Option<usize>) -> bool {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        S::ROWS.iter().enumerate().all(|(row, kind)| {
+            let Row::Friction { normal, pair } = *kind else { return true };
+            let slip = entry(&choice.regime.slip, row);
+            if slip == zero || fired == Some(row) || self.status.get(row) != Some(&Status::Rests) {
+                return true;
+            }
+            let Coefficients { kinetic, fixed } = self.against(slip);
+            if entry(kinetic, row) == entry(fixed, row) {
+                return true;
+            }
+            let mut stuck = choice.regime;
+            put(&mut stuck.slip, row, zero);
+            put(&mut stuck.active, row, true);
+            if let Some(other) = pair {
+                put(&mut stuck.active, other, true);
+            }
+            let Some(stuck) = self.trial(stuck) else { return true };
+            let across = pair.map_or(zero, |other| entry(&stuck.multipliers, other));
+            above(entry(&stuck.multipliers, row).hypot(across), self.limit(row, normal, &stuck.multipliers))
+        })
+    }
+
+    /// A regime among these options that agrees with its consequences, in which no friction lets go that
+    /// nothing has made let go, and that differs from the chosen one in friction alone; `None` if there is
+    /// none. Where loads grow, such a regime comes first.
+    #[cold]
+    pub(super) fn forced(
+        &self,
+        chosen: &Choice<S::Scalar, N, C, W>,
+        options: &[Options; C],
+        part: S::Scalar,
+        decided: Option<usize>,
+        fired: Option<usize>,
+    ) -> Option<Choice<S::Scalar, N, C, W>> {
+        let mut found = None;
+        combine(options, &changes(&S::ROWS), |parts| {
+            found = regime(&S::ROWS, parts, options, &[false; C], self.kinks)
+                .filter(|regime| parts_at(&S::ROWS, &chosen.regime, regime).is_none())
+                .and_then(|regime| self.trial(regime))
+                .filter(|trial| self.judge(parts, trial, part, decided).is_ok())
+                .filter(|trial| self.is_forced(trial, fired));
+            found.is_some()
+        });
+        found
     }
 
     /// The regime in which a friction slips whose force has reached its limit in the present one. Both have
