@@ -255,14 +255,16 @@ where
             <= self.bound(size, sizes.absolute) + roundings * span
     }
 
-    /// The change of the accelerations by rounding errors of the coordinates. Where strong forces are in
-    /// balance it exceeds the rounding errors of the accelerations.
+    /// The change of the accelerations by rounding errors of the coordinates and of time. Where strong forces
+    /// are in balance it exceeds the rounding errors of the accelerations.
     #[cold]
     fn roundings(&self, state: &State<S::Scalar, N>, footing: &Footing<S::Scalar, N>) -> S::Scalar {
         let here = self.accelerations(state);
         let mut largest = num_traits::Zero::zero();
         for alternate in [false, true] {
             let mut beside = *state;
+            let ulp = S::Scalar::epsilon() * state.t.abs();
+            beside.t += if alternate { -ulp } else { ulp };
             for i in 0..N {
                 let ulp = footing.ulps_q[i];
                 beside.q[i] += if alternate && i % 2 == 1 { -ulp } else { ulp };

@@ -150,7 +150,7 @@ where
             in_regime.project_at(&in_regime.constants(), state, None)?;
             first.place(&before, &mut state.q, &choice.regime, scales);
             scene.part(&choice.regime, state);
-            first.still(&mut state.v);
+            first.still(&mut state.v, &choice.regime.active);
             if const { has_pairs(&S::ROWS) } && state.t != begin.t {
                 self.memory.way.join(&begin, state);
             }

@@ -273,16 +273,23 @@ where
         }
     }
 
-    /// Removes velocities that contacts have stopped: those that are rounding errors of the fastest one of
-    /// this scene. The remainder has no digits, and no series could find its scale.
-    pub(super) fn still(&self, v: &mut [S::Scalar; N]) {
+    /// Removes velocities that contacts and friction have stopped: those that are rounding errors of the
+    /// fastest one of this scene, or of the speed that a row had which holds now. The remainder has no digits,
+    /// and no series could find its scale.
+    pub(super) fn still(&self, v: &mut [S::Scalar; N], holds: &[bool; C]) {
         let zero: S::Scalar = num_traits::Zero::zero();
         let fastest = self.units.iter().zip(&self.state.v).fold(zero, |fastest, (&unit, &v)| {
             if unit.is_positive() { most(fastest, v.abs() / unit) } else { fastest }
         });
         let ulps = S::Scalar::from_f64(8.0) * S::Scalar::epsilon();
-        for (v, &unit) in v.iter_mut().zip(&self.units) {
-            if !above(v.abs(), ulps * fastest * unit) {
+        for (i, (v, &unit)) in v.iter_mut().zip(&self.units).enumerate() {
+            let is_stopped = |row: usize| {
+                let share = self.gradients.get(row).map_or(zero, |gradient| entry(gradient, i)) * *v;
+                share != zero && !above(share.abs(), ulps * entry(&self.speeds, row))
+            };
+            if !above(v.abs(), ulps * fastest * unit)
+                || (0..C).any(|row| holds.get(row) == Some(&true) && is_stopped(row))
+            {
                 *v -= v.part(0);
             }
         }

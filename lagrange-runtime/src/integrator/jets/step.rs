@@ -7,7 +7,7 @@ use super::expansion::{expand, too_small};
 use super::probe::{self, PLACES, Probe};
 use super::{Jets, JetsMemory, singular};
 use crate::number::elements::Each;
-use crate::number::real::{Ordered, Real, smaller};
+use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::system::attitude;
 use crate::system::control::Held;
 use crate::system::error::Cause;
@@ -65,7 +65,9 @@ where
     let mut natural = natural.unwrap_or_else(|| left.abs());
     // Coefficients do not show what rounding has hidden from them.
     if S::STEEP {
-        natural = probe::restrained(natural, memory.last, left.abs());
+        // A target nearer than time resolves is no reason for a shorter step.
+        let resolved = smaller(natural, S::Scalar::from_f64(2.0) * resolution);
+        natural = larger(probe::restrained(natural, memory.last, left.abs()), resolved);
     } else if S::CONSTRAINED && memory.last.is_positive() {
         natural = smaller(natural, S::Scalar::from_f64(LONGER) * memory.last);
     }

@@ -173,8 +173,9 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         M: Adaptive<S, C, N, K>,
         G: Guard<S, R, N>,
     {
-        let from = self.front.t;
         let Some(end) = self.reach(motion, guards, attempts)? else { return Ok(()) };
+        // Two jumps of the motion may be a rounding error of time apart: then the front has moved on.
+        let from = self.front.t;
         let step = (end - from).abs();
         let ahead = if end < from { -R::one() } else { R::one() };
         // Time is resolved as at the start of the interval, unless that is next to zero.
