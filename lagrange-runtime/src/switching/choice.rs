@@ -140,9 +140,9 @@ where
                 return Err(Cause::SeveralReactions { constraint, name: S::NAMES.constraint(constraint) });
             }
             if let Some(chosen) = chosen {
-                let is_forced = self.is_forced(&chosen, fired);
-                let forced = if is_forced { None } else { self.forced(&chosen, &options, part, decided, fired) };
-                return Ok(forced.unwrap_or(chosen));
+                let may_hold = self.may_hold(&chosen.regime, fired);
+                let loaded = if may_hold { self.loaded(&chosen, part, decided, fired) } else { None };
+                return Ok(loaded.unwrap_or(chosen));
             }
         }
         Err(cause)

@@ -4,7 +4,7 @@ use num_traits::Zero;
 
 use super::choice::Choice;
 use super::scene::{Scene, Status, above, entry, put, rounding};
-use super::trials::{Options, Part, changes, combine, parts_at, regime};
+use super::trials::Part;
 use super::turning::has_pairs;
 use super::{Along, Coefficients, Regime, Row, Switching};
 use crate::number::elements::array;
@@ -33,55 +33,72 @@ where
             && self.coefficients.iter().all(|coefficients| is_zero(entry(&coefficients.fixed, first)))
     }
 
-    /// Whether each friction that begins to slip in a regime, and that holds more at rest than it gives when it
-    /// slips, would have to hold more than it can if it stuck. If not, nothing has made it let go, though
-    /// it goes on to slip once it does. The friction that has `fired` has reached its limit.
-    pub(super) fn is_forced(&self, choice: &Choice<S::Scalar, N, C, W>, fired: Option<usize>) -> bool {
-        let zero: S::Scalar = num_traits::Zero::zero();
-        S::ROWS.iter().enumerate().all(|(row, kind)| {
-            let Row::Friction { normal, pair } = *kind else { return true };
-            let slip = entry(&choice.regime.slip, row);
-            if slip == zero || fired == Some(row) || self.status.get(row) != Some(&Status::Rests) {
-                return true;
-            }
+    /// Whether a friction begins to slip in a regime that holds more at rest than it gives when it slips. Then
+    /// regimes may agree with their consequences in which nothing has made it let go. The friction that has
+    /// `fired` has reached its limit.
+    pub(super) fn may_hold(&self, regime: &Regime<S::Scalar, C, W>, fired: Option<usize>) -> bool {
+        self.resting_rows(fired).any(|row| {
+            let slip = entry(&regime.slip, row);
             let Coefficients { kinetic, fixed } = self.against(slip);
-            if entry(kinetic, row) == entry(fixed, row) {
-                return true;
-            }
-            let mut stuck = choice.regime;
-            put(&mut stuck.slip, row, zero);
-            put(&mut stuck.active, row, true);
-            if let Some(other) = pair {
-                put(&mut stuck.active, other, true);
-            }
-            let Some(stuck) = self.trial(stuck) else { return true };
-            let across = pair.map_or(zero, |other| entry(&stuck.multipliers, other));
-            above(entry(&stuck.multipliers, row).hypot(across), self.limit(row, normal, &stuck.multipliers))
+            slip != S::Scalar::zero() && entry(kinetic, row) != entry(fixed, row)
         })
     }
 
-    /// A regime among these options that agrees with its consequences, in which no friction lets go that
-    /// nothing has made let go, and that differs from the chosen one in friction alone; `None` if there is
-    /// none. Where loads grow, such a regime comes first.
+    /// The regime to which loads lead that grow in proportion, with contacts as in the chosen one: one
+    /// friction after the other lets go, that which is exceeded most. `None` if that agrees with its
+    /// consequences no more than any other.
     #[cold]
-    pub(super) fn forced(
+    pub(super) fn loaded(
         &self,
         chosen: &Choice<S::Scalar, N, C, W>,
-        options: &[Options; C],
         part: S::Scalar,
         decided: Option<usize>,
         fired: Option<usize>,
     ) -> Option<Choice<S::Scalar, N, C, W>> {
-        let mut found = None;
-        combine(options, &changes(&S::ROWS), |parts| {
-            found = regime(&S::ROWS, parts, options, &[false; C], self.kinks)
-                .filter(|regime| parts_at(&S::ROWS, &chosen.regime, regime).is_none())
-                .and_then(|regime| self.trial(regime))
-                .filter(|trial| self.judge(parts, trial, part, decided).is_ok())
-                .filter(|trial| self.is_forced(trial, fired));
-            found.is_some()
-        });
-        found
+        let (zero, one): (S::Scalar, S::Scalar) = (S::Scalar::zero(), num_traits::One::one());
+        let across = |row: usize| match S::ROWS.get(row) {
+            Some(&Row::Friction { pair, .. }) => pair,
+            _ => None,
+        };
+        let mut regime = chosen.regime;
+        let set = |regime: &mut Regime<S::Scalar, C, W>, row: usize, slip: S::Scalar| {
+            put(&mut regime.slip, row, slip);
+            for row in [Some(row), across(row)].into_iter().flatten() {
+                put(&mut regime.active, row, slip == zero);
+            }
+        };
+        let slips = |row: &usize| entry(&chosen.regime.slip, *row) != zero;
+        for row in self.resting_rows(fired).filter(slips) {
+            set(&mut regime, row, zero);
+        }
+        loop {
+            let trial = self.trial(regime)?;
+            let forces = &trial.multipliers;
+            let exceeded = self.resting_rows(fired).filter_map(|row| {
+                let Some(&Row::Friction { normal, .. }) = S::ROWS.get(row) else { return None };
+                let force = entry(forces, row).hypot(across(row).map_or(zero, |row| entry(forces, row)));
+                let limit = self.limit(row, normal, forces);
+                let sticks = regime.active.get(row) == Some(&true);
+                (sticks && above(force, limit * (one + part))).then(|| (row, force / limit))
+            });
+            let most = exceeded.reduce(|most, next| if above(next.1, most.1) { next } else { most });
+            let Some((row, _)) = most else {
+                let parts =
+                    array(|row| S::ROWS.get(row).map_or(Part::Off, |&kind| Part::of(row, kind, &regime)));
+                return self.judge(&parts, &trial, part, decided).is_ok().then_some(trial);
+            };
+            let is_backward = across(row).is_none() && entry(forces, row).is_positive();
+            set(&mut regime, row, if is_backward { -one } else { one });
+        }
+    }
+
+    /// The frictions at rest, the first row of each, without the one that has fired.
+    fn resting_rows(&self, fired: Option<usize>) -> impl Iterator<Item = usize> + '_ {
+        (0..C).filter(move |&row| {
+            let is_first = matches!(S::ROWS.get(row), Some(Row::Friction { pair, .. })
+                if pair.is_none_or(|other| row < other));
+            is_first && fired != Some(row) && self.status.get(row) == Some(&Status::Rests)
+        })
     }
 
     /// The regime in which a friction slips whose force has reached its limit in the present one. Both have

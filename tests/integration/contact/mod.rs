@@ -20,6 +20,7 @@ mod kinks;
 mod laws;
 mod leashes;
 mod legs;
+mod letting_go;
 mod linkages;
 mod nested;
 mod normals;
