@@ -48,10 +48,13 @@ where
         let begun = state;
         let mut regime = self.settle(&mut state, &present, known, num_traits::Zero::zero())?;
         if const { C > 0 && W > 0 } {
-            // On a kink the motion begins on the side that it goes to: on the other one it would spend no time.
-            let (a, inputs) = (&self.memory.way.accelerations, &self.control.0);
+            // On a kink the motion begins on the side that it goes to. It would spend no time on the other.
+            let side = |side: S::Scalar| sides(&laws.kinks, &[side; W], &laws.kink_sizes);
+            let (one, a) = (<S::Scalar as num_traits::One>::one(), &self.memory.way.accelerations);
+            let (above, below) = (side(one), side(-one));
+            let lies = array(|kink| above[kink] != below[kink]);
             let there = State { v: state.v, ..begun };
-            if turn_ahead(self.system, &there, a, inputs, &laws, &mut present.kinks) {
+            if turn_ahead(self.system, &there, a, &self.control.0, &lies, &mut present.kinks) {
                 state = begun;
                 regime = self.settle(&mut state, &present, known, num_traits::Zero::zero())?;
             }

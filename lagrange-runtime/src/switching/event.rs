@@ -89,8 +89,8 @@ where
         let late = match (passed, guard) {
             (Some(passed), Some(guard)) => {
                 let late = |t: S::Scalar| (t - start.t) - passed.part(0);
-                // At a time that is rounded to before the zero of its guard a contact still presses, and would
-                // close again at once. A friction still sticks: a slip would have the wrong direction.
+                // At a time that is rounded to before the zero of its guard a contact still presses, and
+                // would close again at once. A friction still sticks: a slip would go the wrong way.
                 let next = state.t + S::Scalar::epsilon() * state.t.abs() * span.signum();
                 if !guards.is_of_reactions(guard) {
                     earlier = Some(at_time(before)?);

@@ -33,9 +33,9 @@ where
             && self.coefficients.iter().all(|coefficients| is_zero(entry(&coefficients.fixed, first)))
     }
 
-    /// Whether a friction begins to slip in a regime that holds more at rest than it gives when it slips. Then
-    /// regimes may agree with their consequences in which nothing has made it let go. The friction that has
-    /// `fired` has reached its limit.
+    /// Whether a friction begins to slip in a regime that holds more at rest than it gives when it slips.
+    /// Then nothing may have made it let go, though the regime agrees with its consequences. The friction
+    /// that has `fired` has reached its limit.
     pub(super) fn may_hold(&self, regime: &Regime<S::Scalar, C, W>, fired: Option<usize>) -> bool {
         self.resting_rows(fired).any(|row| {
             let slip = entry(&regime.slip, row);

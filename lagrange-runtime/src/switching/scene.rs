@@ -274,8 +274,8 @@ where
     }
 
     /// Removes velocities that contacts and friction have stopped: those that are rounding errors of the
-    /// fastest one of this scene, or of the speed that a row had which holds now. The remainder has no digits,
-    /// and no series could find its scale.
+    /// fastest one of this scene, or of the speed that a row had which holds now. The remainder has no
+    /// digits, and no series could find its scale.
     pub(super) fn still(&self, v: &mut [S::Scalar; N], holds: &[bool; C]) {
         let zero: S::Scalar = num_traits::Zero::zero();
         let fastest = self.units.iter().zip(&self.state.v).fold(zero, |fastest, (&unit, &v)| {

@@ -1,8 +1,5 @@
 //! Laws on one side of kinks.
 
-use num_traits::One;
-
-use super::choice::sides;
 use super::{Functions, Laws, Regime, Row, Switching, Wanted};
 use crate::number::elements::{Each, array};
 use crate::number::real::{Dual, Real};
@@ -56,31 +53,28 @@ fn take_side<S, const N: usize, const K: usize, const C: usize, const W: usize>(
     }
 }
 
-/// Turns the kinks on which a state lies to the sides that the motion goes to with these accelerations.
-/// `laws` are those of the state. Returns whether any kink has another side now.
+/// Turns the kinks on which a state `lies` to the sides that the motion goes to with these accelerations.
+/// Returns whether any has another side now.
 #[cold]
 pub(super) fn turn_ahead<S, const N: usize, const K: usize, const C: usize, const W: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
     accelerations: &[S::Scalar; N],
     inputs: &[S::Scalar; K],
-    laws: &Laws<S::Scalar, C, W>,
+    lies: &[bool; W],
     kinks: &mut [S::Scalar; W],
 ) -> bool
 where
     S: Switching<N, K, C, W>,
 {
-    let [above, below] = [S::Scalar::one(), -S::Scalar::one()].map(|side| [side; W]);
-    let [above, below] = [above, below].each(|side| sides(&laws.kinks, &side, &laws.kink_sizes));
-    // A state has a side of its own where both of these are that one.
-    if above == below {
+    if !lies.contains(&true) {
         return false;
     }
-    let wanted = Wanted { rows: [false; C], fixed: [false; C], kinks: [true; W] };
+    let wanted = Wanted { rows: [false; C], fixed: [false; C], kinks: *lies };
     let functions = along(system, state, accelerations, inputs, kinks, &wanted);
     let mut has_turned = false;
-    for (kink, (side, function)) in kinks.iter_mut().zip(&functions.kinks).enumerate() {
-        if above.get(kink) != below.get(kink) && (-*side * function.slopes[0]).is_positive() {
+    for ((side, function), _) in kinks.iter_mut().zip(&functions.kinks).zip(lies).filter(|(_, lies)| **lies) {
+        if (-*side * function.slopes[0]).is_positive() {
             (*side, has_turned) = (-*side, true);
         }
     }
