@@ -1,10 +1,10 @@
 //! The search for the place where a piece of the motion ends before its step.
 
-use super::Switching;
 use super::course::Course;
 use super::guards::{Guard, Guards};
 use super::place::Event;
 use super::run::Run;
+use super::{Row, Switching};
 use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
@@ -91,10 +91,13 @@ where
                 let late = |t: S::Scalar| (t - start.t) - passed.part(0);
                 // At a time that is rounded to before the zero of its guard a contact still presses, and
                 // would close again at once. A friction still sticks: a slip would go the wrong way.
+                // Beyond the zero of a load its series has the other sign.
+                let is_held = matches!(guard, Guard::Row(row)
+                    if matches!(S::ROWS.get(row), Some(Row::Unilateral | Row::Friction { .. })));
                 let next = state.t + S::Scalar::epsilon() * state.t.abs() * span.signum();
                 if !guards.is_of_reactions(guard) {
                     earlier = Some(at_time(before)?);
-                } else if late(state.t) * span < zero && !is_beyond(next) {
+                } else if is_held && late(state.t) * span < zero && !is_beyond(next) {
                     state = at_time(next)?;
                 }
                 late(state.t)

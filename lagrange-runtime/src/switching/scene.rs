@@ -284,8 +284,10 @@ where
         let ulps = S::Scalar::from_f64(8.0) * S::Scalar::epsilon();
         for (i, (v, &unit)) in v.iter_mut().zip(&self.units).enumerate() {
             let is_stopped = |row: usize| {
-                let share = self.gradients.get(row).map_or(zero, |gradient| entry(gradient, i)) * *v;
-                share != zero && !above(share.abs(), ulps * entry(&self.speeds, row))
+                let Some(gradient) = self.gradients.get(row) else { return false };
+                let lever = extent(gradient, &self.units);
+                let is_slow = !above(v.abs() * lever, ulps * entry(&self.speeds, row) * unit);
+                entry(gradient, i) != zero && is_slow
             };
             if !above(v.abs(), ulps * fastest * unit)
                 || (0..C).any(|row| holds.get(row) == Some(&true) && is_stopped(row))
