@@ -29,7 +29,7 @@ pub(super) fn coefficients(emission: &Emission<'_>, switching: &Regimes) -> Stri
          t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}, \
          _: &lagrange::Laws<{scalar}, {rows}, {kinks}>) \
          -> [lagrange::Coefficients<{scalar}, {rows}>; 2] {{\n\
-         let __number = |number: {scalar}| number;\n{body}\n}}\n"
+         let __number = ::core::convert::identity::<{scalar}>;\n{body}\n}}\n"
     )
 }
 
