@@ -274,8 +274,8 @@ where
     }
 
     /// Removes velocities that contacts and friction have stopped: those that are rounding errors of the
-    /// fastest one of this scene, or of the speed that a row had which holds now. The remainder has no
-    /// digits, and no series could find its scale.
+    /// fastest one of this scene, or of the speed that a slip in one direction had which holds now. The
+    /// remainder has no digits, and no series could find its scale.
     pub(super) fn still(&self, v: &mut [S::Scalar; N], holds: &[bool; C]) {
         let zero: S::Scalar = num_traits::Zero::zero();
         let fastest = self.units.iter().zip(&self.state.v).fold(zero, |fastest, (&unit, &v)| {
@@ -284,7 +284,11 @@ where
         let ulps = S::Scalar::from_f64(8.0) * S::Scalar::epsilon();
         for (i, (v, &unit)) in v.iter_mut().zip(&self.units).enumerate() {
             let is_stopped = |row: usize| {
-                let Some(gradient) = self.gradients.get(row) else { return false };
+                let (Some(Row::Friction { pair: None, .. }), Some(gradient)) =
+                    (S::ROWS.get(row), self.gradients.get(row))
+                else {
+                    return false;
+                };
                 let lever = extent(gradient, &self.units);
                 let is_slow = !above(v.abs() * lever, ulps * entry(&self.speeds, row) * unit);
                 entry(gradient, i) != zero && is_slow
