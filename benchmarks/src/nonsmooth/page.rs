@@ -44,8 +44,7 @@ fn best_errors(records: &[Record]) -> String {
     let mut text = format!(
         "## Best error\n\n\
          The most accurate run at any tolerance or length of step: its error, its time [µs]; behind it the ratio to our \
-         cheapest run that is at least as good. `–`: no run, or none of ours is as good. Errors of a few 1e-16 for each \
-         event are roundings, and which subject has the least of them is chance.\n\n{}",
+         cheapest run that is at least as good. `–`: no run, or none of ours is as good.\n\n{}",
         columns("case")
     );
     for case in CASES {

@@ -20,6 +20,10 @@ use watch::Watch;
 /// The most halvings of a step before its guards are given up.
 const HALVINGS: i32 = 24;
 
+/// The rounding errors below which a kink counts as zero where another one is crossed: those of both and of
+/// the time at which they are.
+const AT_ZERO: f64 = 4.0;
+
 /// A guard by its kind and index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Guard {
@@ -334,7 +338,7 @@ where
     /// Whether a kink that was on its side earlier is at zero, within rounding, at a later state.
     pub(super) fn has_fallen(&self, kink: usize, states: [&State<S::Scalar, N>; 2]) -> bool {
         let [earlier, there] = states.each(|state| self.value(Guard::Kink(kink), state, state));
-        let errors = S::Scalar::from_f64(4.0);
+        let errors = S::Scalar::from_f64(AT_ZERO);
         earlier.value > errors * earlier.error && there.value <= errors * there.error
     }
 

@@ -45,8 +45,8 @@ where
     }
 
     /// The regime to which loads lead that grow in proportion, with contacts as in the chosen one: one
-    /// friction after the other lets go, that which is exceeded most. `None` if that agrees with its
-    /// consequences no more than any other.
+    /// friction after the other lets go, that which is exceeded most. `None` if that regime does not agree
+    /// with its consequences.
     #[cold]
     pub(super) fn loaded(
         &self,

@@ -16,8 +16,8 @@ pub(super) struct Event<R, const N: usize, const W: usize> {
     pub(super) accelerations: [R; N],
     /// The state at the zero of the guard.
     pub(super) place: State<R, N>,
-    /// The kinks that the motion crosses there, if the guard is that of a kink: all of them at once. Regimes
-    /// without time between them are none. Friction that lets go in one of them could not stick again.
+    /// The kinks that the motion crosses there, if the guard is that of a kink. They are crossed together:
+    /// crossed one by one, friction could let go on the way and not stick again.
     pub(super) crossed: [bool; W],
 }
 
