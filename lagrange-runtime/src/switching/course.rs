@@ -1,5 +1,7 @@
 //! A step that is a polynomial.
 
+use core::cell::OnceCell;
+
 use super::Along;
 use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, larger};
@@ -14,8 +16,8 @@ const MARGIN: f64 = 16.0;
 /// A step that is a polynomial.
 pub(super) struct Course<'a, R, const N: usize> {
     pub(super) terms: Terms<'a, R, N>,
-    /// The powers of its length.
-    pub(super) powers: [R; TERMS],
+    /// The powers of its length, once a curve needs them.
+    powers: OnceCell<[R; TERMS]>,
     /// The relative truncation error of the motion.
     pub(super) left: R,
     /// The terms of coordinates and velocities, without those at the end that are zero.
@@ -39,20 +41,21 @@ pub(super) struct Gain<R> {
 }
 
 impl<R: Ordered> Gain<R> {
-    /// The gain of a polynomial with these coefficients and powers.
+    /// The gain of a polynomial whose coefficients are so far apart in `terms`, that of order one first.
     #[inline]
-    fn of<'r>(terms: impl Iterator<Item = (&'r R, &'r R)>) -> Self
-    where
-        R: 'r,
-    {
+    fn of(terms: &[R], stride: usize, length: R) -> Self {
         let [mut most, mut whole] = [[R::zero(); 2]; 2];
         let mut last = [R::zero(); 2];
-        // Odd and even orders have sums of their own, which do not wait for each other.
-        for (&coefficient, &power) in terms {
-            let term = (coefficient * power).part(0);
+        // Odd and even orders have powers and sums of their own, which do not wait for each other.
+        let (square, mut powers) = (length * length, [length, length * length]);
+        let mut place = 0;
+        while let Some(&coefficient) = terms.get(place) {
+            let term = (coefficient * powers[0]).part(0);
+            powers = [powers[1], powers[0] * square];
             most = [most[1], most[0] + term.abs()];
             whole = [whole[1], whole[0] + term];
             last = [last[1], term.abs()];
+            place += stride;
         }
         Self { most: most[0] + most[1], whole: whole[0] + whole[1], last: last[0] + last[1] }
     }
@@ -64,9 +67,10 @@ impl<'a, R: Ordered, const N: usize> Course<'a, R, N> {
     pub(super) fn new(terms: Terms<'a, R, N>, relative: R, followed: usize) -> Self {
         let rows =
             [terms.q, terms.v].each(|rows| known(rows, 1, |row| row.iter().all(|term| term.is_zero())));
-        let functions = known(terms.functions, followed, |term| term.is_zero());
+        let functions = terms.functions.get(..followed * terms.v.len()).unwrap_or(terms.functions);
+        let functions = known(functions, followed, |term| term.is_zero());
         let left = larger(relative, terms.left).part(0);
-        Self { terms: Terms { functions, ..terms }, rows, powers: powers(terms.length), left }
+        Self { terms: Terms { functions, ..terms }, rows, powers: OnceCell::new(), left }
     }
 
     /// The duration of the step \[s], without direction.
@@ -105,15 +109,27 @@ impl<'a, R: Ordered, const N: usize> Course<'a, R, N> {
         rows.rev().fold(R::zero(), |sum, &term| R::mul_add(sum, theta, term)).part(0)
     }
 
-    /// The terms of one of `stride` series that lie beside each other; `None` where the step has no series.
+    /// The terms of one of `stride` series that lie beside each other, with those of others between them;
+    /// `None` where the step has no series.
+    #[inline]
+    fn own(&self, terms: &'a [R], index: usize, stride: usize) -> Option<&'a [R]> {
+        let terms = terms.get(..stride * self.order()).unwrap_or(terms);
+        terms.get(index..).filter(|own| !own.is_empty())
+    }
+
+    /// The same terms without others.
     fn series(
         &self,
         terms: &'a [R],
         index: usize,
         stride: usize,
     ) -> Option<impl DoubleEndedIterator<Item = &'a R> + ExactSizeIterator> {
-        let own = terms.get(index..).filter(|own| !own.is_empty())?;
-        Some(own.iter().step_by(stride.max(1)).take(self.order()))
+        Some(self.own(terms, index, stride)?.iter().step_by(stride.max(1)))
+    }
+
+    /// The powers of the length.
+    pub(super) fn powers(&self) -> &[R; TERMS] {
+        self.powers.get_or_init(|| powers(self.terms.length))
     }
 
     /// The order of the series.
@@ -128,15 +144,15 @@ impl<'a, R: Ordered, const N: usize> Course<'a, R, N> {
 
     /// The gain of one of `stride` functions that the series follows.
     pub(super) fn gain_of_function(&self, index: usize, stride: usize) -> Option<Gain<R>> {
-        let rows = self.series(self.terms.functions, index, stride)?;
-        Some(Gain::of(rows.zip(self.powers.iter().skip(1))))
+        let terms = self.own(self.terms.functions, index, stride)?;
+        Some(Gain::of(terms, stride, self.terms.length))
     }
 
     /// The value of one of `stride` reactions at the start, and its gain.
     pub(super) fn gain_of_reaction(&self, row: usize, stride: usize) -> Option<(R, Gain<R>)> {
-        let mut rows = self.series(self.terms.reactions, row, stride)?;
-        let start = rows.next()?.part(0);
-        Some((start, Gain::of(rows.zip(self.powers.iter().skip(1)))))
+        let terms = self.own(self.terms.reactions, row, stride)?;
+        let later = terms.get(stride..).unwrap_or_default();
+        Some((terms.first()?.part(0), Gain::of(later, stride, self.terms.length)))
     }
 
     /// The polynomial of one of `stride` functions, from its value at the start; `None` without a series.
@@ -147,14 +163,14 @@ impl<'a, R: Ordered, const N: usize> Course<'a, R, N> {
             Along::Unknown => return None,
         };
         let rows = self.series(self.terms.functions, index, stride)?;
-        let terms = rows.zip(self.powers.iter().skip(1)).map(|(&term, &power)| (term * power).part(0));
+        let terms = rows.zip(self.powers().iter().skip(1)).map(|(&term, &power)| (term * power).part(0));
         Some(Taylor::of(core::iter::once(start.part(0)).chain(terms)))
     }
 
     /// The polynomial of one of `stride` reactions, which is one order shorter.
     pub(super) fn curve_of_reaction(&self, row: usize, stride: usize) -> Option<Taylor<R>> {
         let rows = self.series(self.terms.reactions, row, stride)?;
-        Some(Taylor::of(rows.zip(&self.powers).map(|(&term, &power)| (term * power).part(0))))
+        Some(Taylor::of(rows.zip(self.powers()).map(|(&term, &power)| (term * power).part(0))))
     }
 
     /// The sum of the magnitudes of the last two terms of a function of reactions.

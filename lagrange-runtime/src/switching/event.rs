@@ -40,6 +40,9 @@ where
         if let Some(terms) = terms {
             let course = Course::new(terms, self.limits.relative, S::FOLLOWED);
             let found = guards.first_along(&course, &end, memory.fired, attempts)?;
+            if found.first.is_none() && found.until == one && guards.all().next().is_none() {
+                return Ok(None);
+            }
             (known, is_shared) = (found.until, found.is_shared);
             fall = found.first.map(|found| {
                 let sizes = terms.sizes(&start, found.0.place);

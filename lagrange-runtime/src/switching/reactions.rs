@@ -167,7 +167,7 @@ where
         let mut borne = Borne { roundings: [zero; N], errors: [zero; C], is_known: true };
         let State { t, q, v } = self.start;
         let Some(known) = S::rows_in(self.in_regime, *t, q, v, self.inputs) else { return borne };
-        let Course { terms, powers, .. } = course;
+        let terms = &course.terms;
         let levers = Levers::new(&known.gradients, known.units);
         let mut forces = self.sizes_of(&known.forces, &levers.units);
         let rows = || {
@@ -192,7 +192,7 @@ where
         let paces =
             levers.units.each(|unit| if unit.is_positive() { (terms.unit * unit).recip() } else { zero });
         let mut place: S::Scalar = zero;
-        for ((row, speeds), &power) in rows().zip(terms.v).zip(powers) {
+        for ((row, speeds), &power) in rows().zip(terms.v).zip(course.powers()) {
             let size = power.abs();
             place += num_traits::One::one();
             // Forces that accelerate count as well.

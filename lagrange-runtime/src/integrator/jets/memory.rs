@@ -87,9 +87,17 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
     #[inline]
     pub(super) fn prepare(&mut self, limits: &Limits<R>) {
         if self.tolerance != limits.relative {
-            (self.tolerance, self.orders) = (limits.relative, orders(limits.relative, ORDERS_PER_DIGIT));
-            self.steepest = steepest(limits.relative, self.orders);
+            self.derive_order(limits.relative);
         }
+    }
+
+    /// Derives the order from a tolerance. A function of its own: the compiler would move its logarithm out of
+    /// loops over steps, in front of the comparison that makes it rare.
+    #[cold]
+    #[inline(never)]
+    fn derive_order(&mut self, relative: R) {
+        (self.tolerance, self.orders) = (relative, orders(relative, ORDERS_PER_DIGIT));
+        self.steepest = steepest(relative, self.orders);
     }
 
     /// Whether `t` lies in the step, ends included.
