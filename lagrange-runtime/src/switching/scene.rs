@@ -235,11 +235,21 @@ where
 
     /// The change of a gap by the rounding errors of time.
     pub(super) fn by_time(&self, row: usize) -> S::Scalar {
-        S::Scalar::from_f64(8.0) * S::Scalar::epsilon() * self.state.t.abs() * self.laws.rows.rates[row].abs()
+        self.hidden() * self.laws.rows.rates[row].abs()
+    }
+
+    /// The time that rounding hides \[s].
+    fn hidden(&self) -> S::Scalar {
+        S::Scalar::from_f64(8.0) * S::Scalar::epsilon() * self.state.t.abs()
+    }
+
+    /// The rate up to which a row of this speed counts as at rest: the rounding errors of the rate, and what
+    /// those of time change.
+    fn least_rate(&self, row: usize, speed: S::Scalar) -> S::Scalar {
+        rounding::<S::Scalar>() * speed + self.hidden() * self.gamma[row].abs()
     }
 
     fn status_of(&self, row: usize, known: &Known<C>) -> Status {
-        let part: S::Scalar = rounding();
         let rows = &self.laws.rows;
         let fired = known.fired == Some(row);
         match S::ROWS[row] {
@@ -249,7 +259,7 @@ where
                 if !self.is_closed[row] {
                     Status::Apart
                 } else if known.rested[row]
-                    || !above(rate.abs(), part * self.speeds[row])
+                    || !above(rate.abs(), self.least_rate(row, self.speeds[row]))
                     || known.settled && !rate.is_positive()
                 {
                     Status::Touches
@@ -260,11 +270,13 @@ where
                 }
             }
             Row::Friction { pair, .. } => {
-                let other = pair.map_or(num_traits::Zero::zero(), |other| rows.rates[other]);
-                let size = pair.map_or(self.speeds[row], |other| most(self.speeds[row], self.speeds[other]));
+                let (own, speed) = (self.least_rate(row, self.speeds[row]), rows.rates[row]);
+                let (least, slip) = pair.map_or((own, speed.abs()), |other| {
+                    let least = self.least_rate(other, self.speeds[other]);
+                    (most(own, least), speed.hypot(rows.rates[other]))
+                });
                 let is_other = pair.is_some_and(|other| known.fired == Some(other));
-                if fired || is_other || known.rested[row] || !above(rows.rates[row].hypot(other), part * size)
-                {
+                if fired || is_other || known.rested[row] || !above(slip, least) {
                     Status::Rests
                 } else {
                     Status::Slips
