@@ -286,28 +286,40 @@ where
     }
 
     /// Removes velocities that contacts and friction have stopped: those that are rounding errors of the
-    /// fastest one of this scene, or of the speed that a slip in one direction had which holds now. The
-    /// remainder has no digits, and no series could find its scale.
+    /// fastest one of this scene, or of the speed that a row had which holds now. The remainder has no digits,
+    /// and no series could find its scale.
+    ///
+    /// A row that holds goes on holding: all velocities that it couples are removed, or none.
     pub(super) fn still(&self, v: &mut [S::Scalar; N], holds: &[bool; C]) {
         let zero: S::Scalar = num_traits::Zero::zero();
         let fastest = self.units.iter().zip(&self.state.v).fold(zero, |fastest, (&unit, &v)| {
             if unit.is_positive() { most(fastest, v.abs() / unit) } else { fastest }
         });
         let ulps = S::Scalar::from_f64(8.0) * S::Scalar::epsilon();
+        let rows = || self.gradients.iter().zip(holds).enumerate().filter(|(_, (_, holds))| **holds);
+        let mut stopped = [false; C];
+        for (row, (gradient, _)) in rows() {
+            let moving = self.laws.rows.rates[row] - product(gradient, &self.state.v);
+            let size = most(self.speeds[row], fastest * extent(gradient, &self.units));
+            stopped[row] = !above(extent(gradient, v) + moving.abs(), ulps * size);
+        }
+        // Whether a velocity is in a row that holds and has stopped, or has not.
+        let is_in = |i: usize, stopped: &[bool; C], has_stopped: bool| {
+            rows().any(|(row, (gradient, _))| stopped[row] == has_stopped && entry(gradient, i) != zero)
+        };
+        // A row that shares a velocity with one that moves has not stopped either.
+        for _ in 0..C {
+            let last = stopped;
+            for (row, (gradient, _)) in rows() {
+                stopped[row] &= !(0..N).any(|i| entry(gradient, i) != zero && is_in(i, &last, false));
+            }
+            if stopped == last {
+                break;
+            }
+        }
         for (i, (v, &unit)) in v.iter_mut().zip(&self.units).enumerate() {
-            let is_stopped = |row: usize| {
-                let (Some(Row::Friction { pair: None, .. }), Some(gradient)) =
-                    (S::ROWS.get(row), self.gradients.get(row))
-                else {
-                    return false;
-                };
-                let lever = extent(gradient, &self.units);
-                let is_slow = !above(v.abs() * lever, ulps * entry(&self.speeds, row) * unit);
-                entry(gradient, i) != zero && is_slow
-            };
-            if !above(v.abs(), ulps * fastest * unit)
-                || (0..C).any(|row| holds.get(row) == Some(&true) && is_stopped(row))
-            {
+            let is_slow = !above(v.abs(), ulps * fastest * unit);
+            if !is_in(i, &stopped, false) && (is_slow || is_in(i, &stopped, true)) {
                 *v -= v.part(0);
             }
         }
