@@ -133,20 +133,16 @@ impl<R: Ordered> Taylor<R> {
     }
 }
 
-/// The powers of a number, from that of order zero on.
+/// The powers of a number, from that of order zero on: even and odd ones side by side, neither of which waits
+/// for the other.
 #[inline]
-pub(crate) fn powers<R: Real>(base: R) -> [R; TERMS] {
-    let mut powers = [R::one(); TERMS];
-    // Four at a time, of which none waits for another.
-    let square = base * base;
-    let mut group = [R::one(), base, square, square * base];
-    for to in powers.chunks_mut(4) {
-        for (to, power) in to.iter_mut().zip(&mut group) {
-            *to = *power;
-            *power *= square * square;
-        }
-    }
-    powers
+pub(crate) fn powers<R: Real>(base: R) -> impl Iterator<Item = R> {
+    let (square, mut next) = (base * base, [R::one(), base]);
+    core::iter::from_fn(move || {
+        let power = next[0];
+        next = [next[1], power * square];
+        Some(power)
+    })
 }
 
 /// A sum over terms, by four sums that do not wait for each other.

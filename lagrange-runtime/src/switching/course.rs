@@ -1,11 +1,9 @@
 //! A step that is a polynomial.
 
-use core::cell::OnceCell;
-
 use super::Along;
 use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, larger};
-use crate::series::taylor::{TERMS, Taylor, powers};
+use crate::series::taylor::{Taylor, powers};
 use crate::system::method::Terms;
 use crate::system::state::State;
 
@@ -16,8 +14,6 @@ const MARGIN: f64 = 16.0;
 /// A step that is a polynomial.
 pub(super) struct Course<'a, R, const N: usize> {
     pub(super) terms: Terms<'a, R, N>,
-    /// The powers of its length, once a curve needs them.
-    powers: OnceCell<[R; TERMS]>,
     /// The relative truncation error of the motion.
     pub(super) left: R,
     /// The terms of coordinates and velocities, without those at the end that are zero.
@@ -46,12 +42,12 @@ impl<R: Ordered> Gain<R> {
     fn of(terms: &[R], stride: usize, length: R) -> Self {
         let [mut most, mut whole] = [[R::zero(); 2]; 2];
         let mut last = [R::zero(); 2];
-        // Odd and even orders have powers and sums of their own, which do not wait for each other.
-        let (square, mut powers) = (length * length, [length, length * length]);
+        // Odd and even orders have sums of their own, which do not wait for each other.
+        let mut powers = powers(length);
+        powers.next();
         let mut place = 0;
-        while let Some(&coefficient) = terms.get(place) {
-            let term = (coefficient * powers[0]).part(0);
-            powers = [powers[1], powers[0] * square];
+        while let (Some(&coefficient), Some(power)) = (terms.get(place), powers.next()) {
+            let term = (coefficient * power).part(0);
             most = [most[1], most[0] + term.abs()];
             whole = [whole[1], whole[0] + term];
             last = [last[1], term.abs()];
@@ -70,7 +66,7 @@ impl<'a, R: Ordered, const N: usize> Course<'a, R, N> {
         let functions = terms.functions.get(..followed * terms.v.len()).unwrap_or(terms.functions);
         let functions = known(functions, followed, |term| term.is_zero());
         let left = larger(relative, terms.left).part(0);
-        Self { terms: Terms { functions, ..terms }, rows, powers: OnceCell::new(), left }
+        Self { terms: Terms { functions, ..terms }, rows, left }
     }
 
     /// The duration of the step \[s], without direction.
@@ -127,9 +123,9 @@ impl<'a, R: Ordered, const N: usize> Course<'a, R, N> {
         Some(self.own(terms, index, stride)?.iter().step_by(stride.max(1)))
     }
 
-    /// The powers of the length.
-    pub(super) fn powers(&self) -> &[R; TERMS] {
-        self.powers.get_or_init(|| powers(self.terms.length))
+    /// The powers of the length, from that of order zero on.
+    pub(super) fn powers(&self) -> impl Iterator<Item = R> {
+        powers(self.terms.length)
     }
 
     /// The order of the series.
@@ -163,14 +159,14 @@ impl<'a, R: Ordered, const N: usize> Course<'a, R, N> {
             Along::Unknown => return None,
         };
         let rows = self.series(self.terms.functions, index, stride)?;
-        let terms = rows.zip(self.powers().iter().skip(1)).map(|(&term, &power)| (term * power).part(0));
+        let terms = rows.zip(self.powers().skip(1)).map(|(&term, power)| (term * power).part(0));
         Some(Taylor::of(core::iter::once(start.part(0)).chain(terms)))
     }
 
     /// The polynomial of one of `stride` reactions, which is one order shorter.
     pub(super) fn curve_of_reaction(&self, row: usize, stride: usize) -> Option<Taylor<R>> {
         let rows = self.series(self.terms.reactions, row, stride)?;
-        Some(Taylor::of(rows.zip(self.powers()).map(|(&term, &power)| (term * power).part(0))))
+        Some(Taylor::of(rows.zip(self.powers()).map(|(&term, power)| (term * power).part(0))))
     }
 
     /// The sum of the magnitudes of the last two terms of a function of reactions.

@@ -192,7 +192,7 @@ where
         let paces =
             levers.units.each(|unit| if unit.is_positive() { (terms.unit * unit).recip() } else { zero });
         let mut place: S::Scalar = zero;
-        for ((row, speeds), &power) in rows().zip(terms.v).zip(course.powers()) {
+        for ((row, speeds), power) in rows().zip(terms.v).zip(course.powers()) {
             let size = power.abs();
             place += num_traits::One::one();
             // Forces that accelerate count as well.

@@ -296,22 +296,23 @@ where
             if unit.is_positive() { most(fastest, v.abs() / unit) } else { fastest }
         });
         let ulps = S::Scalar::from_f64(8.0) * S::Scalar::epsilon();
-        let rows = || self.gradients.iter().zip(holds).enumerate().filter(|(_, (_, holds))| **holds);
-        let mut stopped = [false; C];
-        for (row, (gradient, _)) in rows() {
-            let moving = self.laws.rows.rates[row] - product(gradient, &self.state.v);
-            let size = most(self.speeds[row], fastest * extent(gradient, &self.units));
-            stopped[row] = !above(extent(gradient, v) + moving.abs(), ulps * size);
-        }
+        let couples = |row: usize, i: usize| {
+            holds.get(row) == Some(&true) && self.gradients.get(row).is_some_and(|own| entry(own, i) != zero)
+        };
         // Whether a velocity is in a row that holds and has stopped, or has not.
         let is_in = |i: usize, stopped: &[bool; C], has_stopped: bool| {
-            rows().any(|(row, (gradient, _))| stopped[row] == has_stopped && entry(gradient, i) != zero)
+            stopped.iter().enumerate().any(|(row, &own)| own == has_stopped && couples(row, i))
         };
+        let mut stopped: [bool; C] = array(|row| {
+            let moving = entry(&self.laws.rows.rates, row) - self.along(row, &self.state.v);
+            let size = most(entry(&self.speeds, row), fastest * self.extent_of(row, &self.units));
+            !above(self.extent_of(row, v) + moving.abs(), ulps * size)
+        });
         // A row that shares a velocity with one that moves has not stopped either.
         for _ in 0..C {
             let last = stopped;
-            for (row, (gradient, _)) in rows() {
-                stopped[row] &= !(0..N).any(|i| entry(gradient, i) != zero && is_in(i, &last, false));
+            for (row, stopped) in stopped.iter_mut().enumerate() {
+                *stopped &= !(0..N).any(|i| couples(row, i) && is_in(i, &last, false));
             }
             if stopped == last {
                 break;
