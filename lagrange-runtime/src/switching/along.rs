@@ -304,19 +304,19 @@ where
         Rounded { value: value.part(0), error: error.part(0) }
     }
 
-    /// The part of the step where a guard itself is zero beside a fall of its polynomial. The polynomial has
-    /// the rounding errors of the whole part of the step that it is taken on. The place stays as it is where
-    /// the guard is within the rounding errors of its own value, or does not change its sign as the
-    /// polynomial does. `sizes` bound the summands of the state there.
+    /// The part of the step where a guard itself is zero beside a fall of its polynomial, which is known until
+    /// a later part. The polynomial has the rounding errors of the whole part of the step that it is taken on.
+    /// The place stays as it is where the guard is within the rounding errors of its own value, or where it
+    /// has fallen before. `None` where the guard has not fallen: the polynomial does by its truncation error.
+    /// `sizes` bound the summands of the state there.
     pub(super) fn at_zero(
         &self,
         guard: Guard,
-        fall: Fall<S::Scalar>,
+        [place, until]: [S::Scalar; 2],
         sizes: &State<S::Scalar, N>,
         mut at: impl FnMut(S::Scalar) -> Option<State<S::Scalar, N>>,
-    ) -> S::Scalar {
+    ) -> Option<S::Scalar> {
         let half = S::Scalar::from_f64(0.5);
-        let Fall { place, fallen } = fall;
         let mut value = |place: S::Scalar| {
             let nothing = Rounded::exact(S::Scalar::from_f64(f64::NAN));
             at(place).map_or(nothing, |state| self.value(guard, &state, sizes))
@@ -324,11 +324,12 @@ where
         let there = value(place);
         // No place is before a start, and a guard that is NaN has no better place.
         if place == num_traits::Zero::zero() || !above(there.value.abs(), there.error) {
-            return place;
+            return Some(place);
         }
         // The start is excluded: a guard that was zero there is zero there again.
-        let bracket = [half * place, larger(place, fallen)];
+        let bracket = [half * place, until];
         let zero = Zero { theta: place, kind: Kind::Falling, side: Side::Below, bracket };
-        zero.polish(|place| value(place).value)
+        let zero = zero.polish(|place| value(place).value);
+        (zero != place || there.value < num_traits::Zero::zero()).then_some(zero)
     }
 }

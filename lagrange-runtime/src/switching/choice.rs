@@ -278,7 +278,8 @@ where
         let zero: S::Scalar = num_traits::Zero::zero();
         // Beyond the first threshold, errors are those of the largest force, wherever it acts.
         let is_whole = above(part, rounding());
-        let sizes = &if is_whole { trial.sizes.levelled(&self.units) } else { trial.sizes };
+        let levelled = trial.sizes.levelled(&self.units);
+        let sizes = if is_whole { &levelled } else { &trial.sizes };
         let scale = |row: usize| self.borne(row, &sizes.forces);
         for (row, kind) in S::ROWS.iter().enumerate() {
             if decided == Some(row) {
@@ -297,7 +298,10 @@ where
                 }
                 _ => zero,
             };
-            let inexact = most(part, S::Scalar::epsilon().sqrt()) * (play / part + prevented);
+            // Reactions have the rounding errors of the forces that they balance, and act on all that they
+            // couple.
+            let inexact = most(part, S::Scalar::epsilon().sqrt()) * (play / part + prevented)
+                + rounding::<S::Scalar>() * self.extent_of(row, &levelled.accelerations);
             if trial.regime.active[row] && above(rate.abs(), inexact) {
                 return Err(row);
             }

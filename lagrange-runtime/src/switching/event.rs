@@ -5,8 +5,9 @@ use super::guards::{Guard, Guards};
 use super::place::Event;
 use super::run::Run;
 use super::{Row, Switching};
+use crate::motion::roots::Fall;
 use crate::number::elements::array;
-use crate::number::real::{Ordered, Real};
+use crate::number::real::{Ordered, Real, larger};
 use crate::system::System;
 use crate::system::control::Held;
 use crate::system::error::Cause;
@@ -57,10 +58,16 @@ where
             }
             M::within(inner, in_regime, constants, control, limits, part).ok()
         };
-        let mut first = fall.as_ref().map(|((fall, guard), sizes, ..)| {
-            let place = if is_shared { fall.place } else { guards.at_zero(*guard, *fall, sizes, &mut at) };
-            (place, *guard)
-        });
+        let mut first = None;
+        if let Some(((Fall { place, fallen }, guard), sizes, ..)) = &fall {
+            let parts = [*place, larger(*fallen, known)];
+            let zero = if is_shared { Some(*place) } else { guards.at_zero(*guard, parts, sizes, &mut at) };
+            first = zero.map(|zero| (zero, *guard));
+            if first.is_none() {
+                // On a shorter step truncation errors are none.
+                known = S::Scalar::from_f64(0.5) * *place;
+            }
+        }
         // The time from the start to this part of the step, without the rounding of times.
         let mut passed = first.zip(fall).map(|((part, _), (.., length, residue))| part * length + residue);
         let until = first.map_or(known, |(part, _)| part);

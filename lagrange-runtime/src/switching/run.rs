@@ -4,6 +4,7 @@ use super::guards::Guard;
 use super::hybrid::{Memory, sum};
 use super::place::Event;
 use super::scene::{Known, Scene, above, most};
+use super::sided::jumped;
 use super::standstill::is_at_rest;
 use super::turning::has_pairs;
 use super::way::{Way, shift};
@@ -68,6 +69,7 @@ where
         mut known: Known<C>,
         late: S::Scalar,
     ) -> Result<Regime<S::Scalar, C, W>, Cause> {
+        let mut present = *present;
         self.memory.way = Way::with([num_traits::Zero::zero(); N]);
         self.memory.landed = [false; C];
         self.memory.switched = state.t.part(0);
@@ -84,11 +86,12 @@ where
                 scales.strike(&scene.status, &scene.laws);
                 (state.v, *impulses) = scene.impact()?;
                 if S::Scalar::PARTS > 1
-                    && let Some(cause) = scene.struck_together(known.fired, impulses, self.limits.relative)
+                    && let Some(cause) = scene.struck(known.fired, impulses, self.limits.relative)
                 {
                     return Err(cause);
                 }
                 let rested = scene.stopped(&state.v, impulses);
+                present.kinks = jumped(self.system, state, inputs, &present.kinks);
                 known = Known { closed: scene.is_closed, fired: None, settled: true, rested };
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &later;
@@ -96,7 +99,7 @@ where
             // A body that begins or lands rests on all its feet: each contact that touches is closed, even if
             // it bears nothing.
             let lands = self.memory.is_fresh || known.settled;
-            let from = if lands { scene.touching(present) } else { *present };
+            let from = if lands { scene.touching(&present) } else { present };
             let sharing = known.fired.and_then(|row| scene.sharing(&from, row));
             let loosened = sharing.and_then(|stuck| Some((stuck, scene.loosened(&stuck, scales)?)));
             let (mut choice, mut grown) = match loosened {
@@ -117,6 +120,7 @@ where
                 }
                 state.v = v;
                 *impulses = all;
+                present.kinks = jumped(self.system, state, inputs, &present.kinks);
                 (known.closed, known.settled) = (scene.is_closed, true);
                 last = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &last;
@@ -148,22 +152,22 @@ where
             let in_regime = self.system.in_regime(&choice.regime);
             let before = state.q;
             in_regime.project_at(&in_regime.constants(), state, None)?;
-            first.place(&before, &mut state.q, &choice.regime, scales);
             scene.part(&choice.regime, state);
             first.still(&mut state.v, &choice.regime.active);
+            first.place(&before, state, &choice.regime, scales);
             if const { has_pairs(&S::ROWS) } && state.t != begin.t {
                 self.memory.way.join(&begin, state);
             }
             return Ok(choice.regime);
         }
-        let in_regime = self.system.in_regime(present);
+        let in_regime = self.system.in_regime(&present);
         let State { t, q, v } = *state;
         let constants = in_regime.constants();
         let a = in_regime.accelerations_at(&constants, t, &q, &v, &self.control.0);
         state.t = t.part(0);
         shift(state, &a, late);
         in_regime.project_at(&constants, state, None)?;
-        Ok(*present)
+        Ok(present)
     }
 
     /// One piece, towards time `t`.
@@ -271,7 +275,8 @@ where
                     return Err(at(&state, cause));
                 }
             }
-            if has_passed {
+            // A time that is asked for may lie so near that no time has passed beyond rounding.
+            if has_passed || t != state.t && self.memory.covers(t) {
                 return Ok(());
             }
             if *attempts == 0 {

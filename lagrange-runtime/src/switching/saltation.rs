@@ -16,7 +16,7 @@
 use super::choice::Choice;
 use super::guards::{Guard, Guards};
 use super::run::Run;
-use super::scene::{Scene, above, most, rounding};
+use super::scene::{Scene, Status, above, entry, most, rounding};
 use super::{Regime, Row, Switching};
 use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
@@ -71,11 +71,14 @@ where
         let doubt = if self.is_known(guard, &crossing, state) {
             self.coincidence(guard, &crossing, state, a)
         } else {
-            let (switch, name) = match guard {
-                Guard::Row(row) => (row, self.name(guard)),
-                Guard::Kink(kink) => (kink, self.name(guard)),
-            };
-            Some(Cause::Grazes { switch, name })
+            let name = self.name(guard);
+            Some(match guard {
+                // A contact that comes back from its own impact without speed bounces infinitely often.
+                Guard::Row(row) if entry(&self.memory.impulses, row).part(0).abs().is_positive() => {
+                    Cause::ImpactsAccumulate { constraint: row, name }
+                }
+                Guard::Row(switch) | Guard::Kink(switch) => Cause::Grazes { switch, name },
+            })
         };
         let Some(doubt) = doubt else { return self.directed(guard, crossing.later()) };
         // If nothing jumps, the time of the switch does not matter.
@@ -224,15 +227,25 @@ where
 {
     /// Why an impact with these impulses has no derivatives: a contact beside the one that has fired has a
     /// part in it, and its gap varies. In varied motions that contact is open at the time of the impact, and
-    /// is struck later, if at all. The gap of a contact that holds does not vary. `None` where the impact has
+    /// is struck later, if at all. The gap of a contact that holds does not vary. Nor has one whose restitution
+    /// is zero and varies: in varied motions infinitely many impacts follow. `None` where the impact has
     /// derivatives.
     #[cold]
-    pub(super) fn struck_together(
+    pub(super) fn struck(
         &self,
         fired: Option<usize>,
         impulses: &[S::Scalar; C],
         tolerance: S::Scalar,
     ) -> Option<Cause> {
+        let begins_to_bounce = |row: &usize| {
+            let e = self.laws.restitution[*row];
+            self.status[*row] == Status::Meets
+                && e.part(0) == num_traits::Zero::zero()
+                && (1..S::Scalar::PARTS).any(|part| e.part(part) != num_traits::Zero::zero())
+        };
+        if let Some(row) = (0..C).find(begins_to_bounce) {
+            return Some(Cause::ImpactsAccumulate { constraint: row, name: S::NAMES.constraint(row) });
+        }
         let is_struck = |row: &usize| {
             S::ROWS[*row] == Row::Unilateral
                 && fired != Some(*row)

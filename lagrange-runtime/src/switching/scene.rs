@@ -326,27 +326,39 @@ where
         }
     }
 
-    /// Removes coordinates that a projection has made of nothing: those that it has changed by all that they
-    /// are, and that no active row of the regime would notice. The remainder has no digits, like that of a
-    /// velocity.
+    /// Removes coordinates that have no digits, like a velocity that has been stopped: those that a projection
+    /// has changed by all that they are and that no active row of the regime would notice, and those of a
+    /// contact that is closed, or rests, of whose gap nothing is left but roundings of what it was.
     pub(super) fn place(
         &self,
         before: &[S::Scalar; N],
-        q: &mut [S::Scalar; N],
+        State { q, v, .. }: &mut State<S::Scalar, N>,
         regime: &Regime<S::Scalar, C, W>,
         scales: &Scales<S::Scalar, C>,
     ) {
         let ulps = S::Scalar::from_f64(8.0) * S::Scalar::epsilon();
+        let sizes = &self.laws.rows.position_sizes;
+        let holds: [bool; C] = array(|row| {
+            let rests = self.is_closed[row] && self.extent_of(row, v) == S::Scalar::zero();
+            regime.active[row] || rests
+        });
         for (i, (q, &before)) in q.iter_mut().zip(before).enumerate() {
-            let is_seen = |row: usize| {
-                let gradient =
-                    self.gradients.get(row).map_or(S::Scalar::zero(), |gradient| entry(gradient, i));
-                let size = most(entry(&scales.gaps, row), entry(&self.laws.rows.position_sizes, row));
-                above((gradient * *q).abs(), ulps * size)
+            let slope = |row: usize| {
+                let gradient = self.gradients.get(row).filter(|_| holds.get(row) == Some(&true));
+                gradient.map_or(S::Scalar::zero(), |gradient| entry(gradient, i))
             };
-            if !above(q.abs(), (*q - before).abs())
-                && !(0..C).any(|row| regime.active.get(row) == Some(&true) && is_seen(row))
-            {
+            let couples = |row: &usize| slope(*row) != S::Scalar::zero();
+            let is_seen = |row: usize| {
+                let size = most(entry(&scales.gaps, row), entry(sizes, row));
+                above((slope(row) * *q).abs(), ulps * size)
+            };
+            let is_nothing = |row: usize| {
+                S::ROWS.get(row) == Some(&Row::Unilateral)
+                    && !above(entry(sizes, row), ulps * entry(&scales.gaps, row))
+            };
+            let is_made = !above(q.abs(), (*q - before).abs()) && !(0..C).any(is_seen);
+            let mut rows = (0..C).filter(couples).peekable();
+            if is_made || rows.peek().is_some() && rows.all(is_nothing) {
                 *q -= q.part(0);
             }
         }
