@@ -9,7 +9,7 @@
 //! accelerations are differences of large forces.
 
 use super::launch::Begins;
-use super::scene::{Scene, above, entry, product, put, rounding};
+use super::scene::{Scene, above, entry, most, product, put, rounding};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::linear::{Lu, SaddlePoint};
@@ -208,11 +208,14 @@ where
             }
             least *= S::Scalar::from_f64(FACTOR);
         }
-        // A friction at its limit begins to slip, though nothing accelerates it yet.
+        // A friction at its limit begins to slip, though nothing accelerates it yet. Its slip is then about
+        // ε^⅔, and its force lacks ε^⅔ of the limit.
         let Trial { forces, limits, mut slips, .. } = last?;
+        let left = (rounding::<S::Scalar>().ln() * S::Scalar::from_f64(2.0 / 3.0)).exp();
+        let share = most(S::Scalar::epsilon().sqrt(), left);
         for rows in begins.slips(&S::ROWS) {
             let (force, limit) = (length(&forces, rows), entry(&limits, rows[0]).part(0));
-            if above(limit - force, S::Scalar::epsilon().sqrt() * limit) {
+            if above(limit - force, share * limit) {
                 return None;
             }
             if !above(length(&slips, rows), noise) {
