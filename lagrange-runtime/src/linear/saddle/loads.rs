@@ -105,7 +105,7 @@ impl<R: Real, const C: usize> Loads<R, C> {
             let Some(entries) = matrix.get_mut(row) else { continue };
             for (other, _) in sizes(self.table) {
                 let Some(response) = self.response.get(other) else { continue };
-                let size = parts.iter().fold(R::zero(), |sum, &part| sum.hypot(pick(response, part)));
+                let size = norm(response, parts);
                 put(entries, other, if row == other { R::one() - size } else { -size });
             }
         }
@@ -204,9 +204,17 @@ impl<R: Real, const C: usize> Loads<R, C> {
     }
 }
 
+/// The size of a force. A component of zero has no part in it: alone it would have no derivative.
+fn norm<R: Real, const C: usize>(multipliers: &[R; C], parts: &[usize]) -> R {
+    parts.iter().fold(R::zero(), |sum, &part| {
+        let own = pick(multipliers, part);
+        if own.part(0) == R::zero() { sum } else { sum.hypot(own) }
+    })
+}
+
 /// The tangent of the size of a force at its present value. The direction of a force of zero is zero.
 fn tangent<R: Real, const C: usize>(multipliers: &[R; C], parts: &[usize]) -> Tangent<R, C> {
-    let size = parts.iter().fold(R::zero(), |sum, &part| sum.hypot(pick(multipliers, part)));
+    let size = norm(multipliers, parts);
     let mut direction = [R::zero(); C];
     if size.is_positive() {
         for &part in parts {
@@ -246,6 +254,18 @@ mod tests {
         let expected = (along + (along * along + square * rest).sqrt()) / square;
         assert!((load - expected).abs() < 1e-14 * expected, "{load} {expected}");
         assert!((p - a - x * load).abs() < 1e-15 && (q - b - y * load).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_load_along_one_component_has_derivatives() {
+        use crate::number::real::Dual;
+        let number = |value: f64| Dual::<f64, 1> { value, slopes: [1.0] };
+        for parts in [[0.0, 2.0], [2.0, 0.0]] {
+            let size = norm(&[number(parts[0]), number(parts[1]), number(0.0)], &[0, 1]);
+            assert_eq!((size.value, size.slopes), (2.0, [1.0]));
+        }
+        let nan = norm(&[number(f64::NAN), number(2.0), number(0.0)], &[0, 1]);
+        assert!(nan.value.is_nan());
     }
 
     #[test]
