@@ -11,7 +11,7 @@ use super::scene::{Known, Scales, Scene, Status, above, entry, extent, most, put
 use super::sided::laws_on;
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
-use crate::number::elements::array;
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::state::State;
@@ -201,7 +201,15 @@ where
         let back = State { v: array(|i| v[i] + change[i]), ..self.state };
         let known = Known { closed: slow, fired: None, settled: false, rested: [false; C] };
         let landing = Scene::new(self.system, &back, self.inputs, self.kinks, scales, &known);
-        let (v, impulses) = landing.plastic().ok()?;
+        let (mut v, mut impulses) = landing.plastic().ok()?;
+        // In a corner, each contact opens another one: passages follow each other as bounces do. What they
+        // leave at last is the part of the velocity that opens or closes none of them.
+        let share = S::Scalar::epsilon().sqrt();
+        if (0..C).any(|row| slow[row] && above(landing.rate_at(row, &v), share * rates[row])) {
+            let (change, all) = equations.saddle.solve(&[zero; N], &wanted);
+            v = array(|i| self.state.v[i] + change[i]);
+            impulses = all.each(|impulse| most(impulse, zero));
+        }
         let before = struck.map_or([zero; C], |(_, impulses)| *impulses);
         Some((v, array(|row| before[row] + impulses[row])))
     }
