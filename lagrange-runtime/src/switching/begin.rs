@@ -46,7 +46,7 @@ where
         let closed = self.penetrating(&state, &laws)?;
         let known = Known { closed, fired: None, settled: false, rested: [false; C] };
         let begun = state;
-        let mut regime = self.settle(&mut state, &present, known, num_traits::Zero::zero())?;
+        let mut regime = self.settle(&mut state, present, known, num_traits::Zero::zero())?;
         if const { C > 0 && W > 0 } {
             // On a kink the motion begins on the side that it goes to. It would spend no time on the other.
             let side = |side: S::Scalar| sides(&laws.kinks, &[side; W], &laws.kink_sizes);
@@ -56,7 +56,7 @@ where
             let there = State { v: state.v, ..begun };
             if turn_ahead(self.system, &there, a, &self.control.0, &lies, &mut present.kinks) {
                 state = begun;
-                regime = self.settle(&mut state, &present, known, num_traits::Zero::zero())?;
+                regime = self.settle(&mut state, present, known, num_traits::Zero::zero())?;
             }
         }
         if S::Scalar::PARTS > 1
@@ -89,7 +89,7 @@ where
         let present = Regime { active: array(|row| closed[row] && !landed[row]), ..self.memory.regime };
         let known = Known { closed, fired: None, settled: false, rested: [false; C] };
         let mut state = here;
-        let regime = self.settle(&mut state, &present, known, num_traits::Zero::zero())?;
+        let regime = self.settle(&mut state, present, known, num_traits::Zero::zero())?;
         self.go_on(regime, state);
         Ok(true)
     }

@@ -65,11 +65,10 @@ where
     pub(super) fn settle(
         &mut self,
         state: &mut State<S::Scalar, N>,
-        present: &Regime<S::Scalar, C, W>,
+        mut present: Regime<S::Scalar, C, W>,
         mut known: Known<C>,
         late: S::Scalar,
     ) -> Result<Regime<S::Scalar, C, W>, Cause> {
-        let mut present = *present;
         self.memory.way = Way::with([num_traits::Zero::zero(); N]);
         self.memory.landed = [false; C];
         self.memory.switched = state.t.part(0);
@@ -241,8 +240,7 @@ where
             let memory = &mut *self.memory;
             let (start, end) = (*M::start(&memory.inner), *M::end(&memory.inner));
             (memory.start, memory.end) = (start, end);
-            let found = self.event(attempts);
-            let found = found.map_err(|cause| {
+            let found = self.event(attempts).map_err(|cause| {
                 self.memory.end = start;
                 at(&start, cause)
             })?;
@@ -348,14 +346,14 @@ where
         let known = Known { closed: present.active, fired, settled: false, rested: [false; C] };
         let varied = if S::Scalar::PARTS > 1 && regime_ends {
             let a = &event.accelerations;
-            self.varied(guard, &state, a, |run, state| run.settle(state, &present, known, event.late))?
+            self.varied(guard, &state, a, |run, state| run.settle(state, present, known, event.late))?
         } else {
             num_traits::Zero::zero()
         };
         let mut state = event.place;
         shift(&mut state, &event.accelerations, varied);
         state.t += varied;
-        let regime = self.settle(&mut state, &present, known, event.late - varied)?;
+        let regime = self.settle(&mut state, present, known, event.late - varied)?;
         self.memory.next = Some((regime, state));
         Ok(())
     }

@@ -82,7 +82,7 @@ where
                 rows.into_iter().for_each(|row| put(&mut rested, row, true));
             }
             let known = Known { closed: present.active, fired: Some(row), settled: false, rested };
-            let regime = self.settle(&mut state, &present, known, left.part(0) - left)?;
+            let regime = self.settle(&mut state, present, known, left.part(0) - left)?;
             // If another slip begins at once, that is the way.
             if state.t == t + left.part(0) {
                 self.memory.way = Way::with(a);

@@ -102,8 +102,10 @@ where
     /// since it cannot be read off a function. Times are rounded numbers as well. A jump of the guard does
     /// not count in either.
     pub fn sizes(&self, states: &[State<S::Scalar, N>; POINTS]) -> Sizes<S::Scalar> {
-        let (zero, factor) =
-            (S::Scalar::zero(), S::Scalar::from_f64(if S::CONSTRAINED { PROJECTED } else { 1.0 }));
+        let (zero, factor) = (
+            S::Scalar::zero(),
+            S::Scalar::from_f64(if S::CONSTRAINED || S::SWITCHED { PROJECTED } else { 1.0 }),
+        );
         let [from, .., to] = states;
         let near = self.rounded(from);
         let far = magnitudes(&near, &self.rounded(to));

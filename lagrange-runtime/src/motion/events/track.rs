@@ -129,7 +129,10 @@ impl<R: Ordered> Track<R> {
         let second = part * (interval.to - interval.from).abs();
         let [first, ..] = states;
         let rate = (polynomial.value(part) - start).abs() / second;
-        if strict && noise > roundings(8.0 * DROWNED) * (sizes.near + rate * interval.from.abs()) {
+        let is_drowned = noise > roundings(8.0 * DROWNED) * (sizes.near + rate * interval.from.abs());
+        // A guard that stays within the noise on all of the interval, as the gap of a contact that is closed,
+        // shows no more on a part of it.
+        if strict && is_drowned && polynomial.extent() > noise {
             return Err(Refused::TooLong(Unresolved::Degree));
         }
         let memory = match self.memory {

@@ -234,6 +234,11 @@ impl<R: Ordered> Polynomial<R> {
         self.noise
     }
 
+    /// A bound of the magnitude on \[0, 1].
+    pub(crate) fn extent(&self) -> R {
+        self.coefficients().iter().fold(R::zero(), |sum, coefficient| sum + coefficient.abs())
+    }
+
     /// The degree up to the noise.
     pub(super) fn degree(&self) -> usize {
         self.degree
