@@ -289,30 +289,38 @@ where
     /// fastest one of this scene, or of the speed that a row had which holds now. The remainder has no digits,
     /// and no series could find its scale.
     ///
-    /// A row that holds goes on holding: all velocities that it couples are removed, or none.
+    /// A row that holds goes on holding: it loses all velocities that it couples, or those alone that are
+    /// rounding errors of the others.
     pub(super) fn still(&self, v: &mut [S::Scalar; N], holds: &[bool; C]) {
         let zero: S::Scalar = num_traits::Zero::zero();
         let fastest = self.units.iter().zip(&self.state.v).fold(zero, |fastest, (&unit, &v)| {
             if unit.is_positive() { most(fastest, v.abs() / unit) } else { fastest }
         });
         let ulps = S::Scalar::from_f64(8.0) * S::Scalar::epsilon();
-        let couples = |row: usize, i: usize| {
-            holds.get(row) == Some(&true) && self.gradients.get(row).is_some_and(|own| entry(own, i) != zero)
+        let now = *v;
+        let part = |row: usize, i: usize| match self.gradients.get(row) {
+            Some(gradient) if holds.get(row) == Some(&true) => entry(gradient, i),
+            _ => zero,
         };
-        // Whether a velocity is in a row that holds and has stopped, or has not.
-        let is_in = |i: usize, stopped: &[bool; C], has_stopped: bool| {
-            stopped.iter().enumerate().any(|(row, &own)| own == has_stopped && couples(row, i))
+        // Whether a row would notice that it loses this velocity alone.
+        let notices = |row: usize, i: usize| {
+            above((part(row, i) * entry(&now, i)).abs(), S::Scalar::epsilon() * self.extent_of(row, &now))
+        };
+        let has_row = |stopped: &[bool; C], has_stopped: bool, is_one: &dyn Fn(usize) -> bool| {
+            stopped.iter().enumerate().any(|(row, &own)| own == has_stopped && is_one(row))
         };
         let mut stopped: [bool; C] = array(|row| {
             let moving = entry(&self.laws.rows.rates, row) - self.along(row, &self.state.v);
             let size = most(entry(&self.speeds, row), fastest * self.extent_of(row, &self.units));
-            !above(self.extent_of(row, v) + moving.abs(), ulps * size)
+            !above(self.extent_of(row, &now) + moving.abs(), ulps * size)
         });
         // A row that shares a velocity with one that moves has not stopped either.
         for _ in 0..C {
             let last = stopped;
             for (row, stopped) in stopped.iter_mut().enumerate() {
-                *stopped &= !(0..N).any(|i| couples(row, i) && is_in(i, &last, false));
+                let is_kept =
+                    |i: usize| part(row, i) != zero && has_row(&last, false, &|row| notices(row, i));
+                *stopped &= !(0..N).any(is_kept);
             }
             if stopped == last {
                 break;
@@ -320,7 +328,8 @@ where
         }
         for (i, (v, &unit)) in v.iter_mut().zip(&self.units).enumerate() {
             let is_slow = !above(v.abs(), ulps * fastest * unit);
-            if !is_in(i, &stopped, false) && (is_slow || is_in(i, &stopped, true)) {
+            let has_stopped = || has_row(&stopped, true, &|row| part(row, i) != zero);
+            if !has_row(&stopped, false, &|row| notices(row, i)) && (is_slow || has_stopped()) {
                 *v -= v.part(0);
             }
         }

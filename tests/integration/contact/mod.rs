@@ -34,6 +34,7 @@ mod slider_crank;
 mod slips;
 mod steps;
 mod steps_of_floors;
+mod tables;
 mod woodpecker;
 
 /// Tolerance of the motions.

@@ -3,6 +3,7 @@
 
 mod friction;
 mod impacts;
+mod jumps;
 mod kinks;
 mod tables;
 mod together;
