@@ -79,7 +79,7 @@ impl<R: Real, const N: usize, const C: usize> Response<R, N, C> {
         let (zero, one) = (R::zero(), R::one());
         let length = |row: usize| {
             let other = self.other(row).map_or(zero, |other| entry(&slips, other));
-            least.hypot(entry(&slips, row)).hypot(other)
+            entry(&slips, row).hypot(other).hypot(least)
         };
         let is_own = |row: usize| self.other(row).is_some();
         let directions: [R; C] =

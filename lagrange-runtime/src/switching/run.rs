@@ -84,10 +84,8 @@ where
             if scene.has_impact() {
                 scales.strike(&scene.status, &scene.laws);
                 (state.v, *impulses) = scene.impact()?;
-                if S::Scalar::PARTS > 1
-                    && let Some(cause) = scene.struck(known.fired, impulses, self.limits.relative)
-                {
-                    return Err(cause);
+                if S::Scalar::PARTS > 1 {
+                    scene.struck(known.fired, impulses, self.limits.relative)?;
                 }
                 let rested = scene.stopped(&state.v, impulses);
                 present.kinks = jumped(self.system, state, inputs, &present.kinks);
@@ -105,11 +103,8 @@ where
                 Some((stuck, grown)) => (stuck, Some(grown)),
                 None => (scene.choose(&from, known.fired)?, None),
             };
-            if S::Scalar::PARTS > 1
-                && self.memory.is_fresh
-                && let Some(cause) = scene.touched_by_chance(&choice, self.limits.relative)
-            {
-                return Err(cause);
+            if S::Scalar::PARTS > 1 && self.memory.is_fresh {
+                scene.touched_by_chance(&choice, self.limits.relative)?;
             }
             let struck = first.has_impact().then_some((&first, &*impulses));
             let gathered = scene.gathered(&choice.accelerations, scales, self.limits.relative, struck);
@@ -128,6 +123,9 @@ where
             let active = &choice.regime.active;
             let bears = |row: usize| S::ROWS[row] == Row::Unilateral && active[row] && !present.active[row];
             self.memory.landed = array(|row| (lands || known.settled) && bears(row));
+            if S::Scalar::PARTS > 1 && !lands {
+                scene.closed_by_chance(known.fired, bears)?;
+            }
             for (seen, &now) in scales.reactions.iter_mut().zip(&choice.multipliers) {
                 *seen = most(*seen, now.abs());
             }

@@ -227,16 +227,15 @@ where
 {
     /// Why an impact with these impulses has no derivatives: a contact beside the one that has fired has a
     /// part in it, and its gap varies. In varied motions that contact is open at the time of the impact, and
-    /// is struck later, if at all. The gap of a contact that holds does not vary. Nor has one whose restitution
-    /// is zero and varies: in varied motions infinitely many impacts follow. `None` where the impact has
-    /// derivatives.
+    /// is struck later, if at all. The gap of a contact that holds does not vary. Nor has an impact
+    /// derivatives whose restitution is zero and varies: infinitely many impacts follow in varied motions.
     #[cold]
     pub(super) fn struck(
         &self,
         fired: Option<usize>,
         impulses: &[S::Scalar; C],
         tolerance: S::Scalar,
-    ) -> Option<Cause> {
+    ) -> Result<(), Cause> {
         let begins_to_bounce = |row: &usize| {
             let e = self.laws.restitution[*row];
             self.status[*row] == Status::Meets
@@ -244,7 +243,7 @@ where
                 && (1..S::Scalar::PARTS).any(|part| e.part(part) != num_traits::Zero::zero())
         };
         if let Some(row) = (0..C).find(begins_to_bounce) {
-            return Some(Cause::ImpactsAccumulate { constraint: row, name: S::NAMES.constraint(row) });
+            return Err(Cause::ImpactsAccumulate { constraint: row, name: S::NAMES.constraint(row) });
         }
         let is_struck = |row: &usize| {
             S::ROWS[*row] == Row::Unilateral
@@ -252,30 +251,46 @@ where
                 && impulses[*row].part(0).abs().is_positive()
                 && self.varies(*row, tolerance)[0]
         };
-        let other = S::NAMES.constraint((0..C).find(is_struck)?);
-        Some(match fired {
+        let Some(other) = (0..C).find(is_struck).map(|row| S::NAMES.constraint(row)) else { return Ok(()) };
+        Err(match fired {
             Some(fired) => Cause::SwitchesCoincide { name: S::NAMES.constraint(fired), other },
             None => Cause::SwitchesCoincide { name: other, other: Name::NONE },
         })
     }
 
+    /// Why a change of regime without an impact has no derivatives: a contact `bears` from now on whose guard
+    /// has not fired. Its gap is nothing but roundings, at the top of one of the infinitely many bounces that
+    /// it would have.
+    #[cold]
+    pub(super) fn closed_by_chance(
+        &self,
+        fired: Option<usize>,
+        bears: impl Fn(usize) -> bool,
+    ) -> Result<(), Cause> {
+        match (0..C).find(|&row| fired != Some(row) && bears(row)) {
+            Some(row) => Err(Cause::ImpactsAccumulate { constraint: row, name: S::NAMES.constraint(row) }),
+            None => Ok(()),
+        }
+    }
+
     /// Why a motion that begins with this choice has no derivatives: a contact that bears nothing touches,
-    /// and its gap or its rate varies. Varied motions open it or press on it. `None` where there is no such
-    /// contact.
+    /// and its gap or its rate varies. Varied motions open it or press on it.
     #[cold]
     pub(super) fn touched_by_chance(
         &self,
         choice: &Choice<S::Scalar, N, C, W>,
         tolerance: S::Scalar,
-    ) -> Option<Cause> {
+    ) -> Result<(), Cause> {
         let bears_nothing = |row: usize| {
             let least = rounding::<S::Scalar>() * self.borne(row, &choice.sizes.forces);
             S::ROWS[row] == Row::Unilateral
                 && choice.regime.active[row]
                 && !above(choice.multipliers[row].part(0), least.part(0))
         };
-        let switch = (0..C).find(|&row| bears_nothing(row) && self.varies(row, tolerance).contains(&true))?;
-        Some(Cause::Grazes { switch, name: S::NAMES.constraint(switch) })
+        match (0..C).find(|&row| bears_nothing(row) && self.varies(row, tolerance).contains(&true)) {
+            Some(switch) => Err(Cause::Grazes { switch, name: S::NAMES.constraint(switch) }),
+            None => Ok(()),
+        }
     }
 
     /// Whether a gap and its rate vary, by more than this tolerance.

@@ -365,9 +365,10 @@ where
                 S::ROWS.get(row) == Some(&Row::Unilateral)
                     && !above(entry(sizes, row), ulps * entry(&scales.gaps, row))
             };
-            let is_made = !above(q.abs(), (*q - before).abs()) && !(0..C).any(is_seen);
+            let is_made = !above(q.abs(), (*q - before).abs());
             let mut rows = (0..C).filter(couples).peekable();
-            if is_made || rows.peek().is_some() && rows.all(is_nothing) {
+            let is_left = rows.peek().is_some() && rows.all(is_nothing);
+            if (is_made || is_left) && !(0..C).any(is_seen) {
                 *q -= q.part(0);
             }
         }

@@ -95,10 +95,43 @@ fn an_impact_over_a_jump_of_the_force_has_derivatives() {
 }
 
 #[test]
+fn impacts_without_end_have_no_derivatives_beside_a_kink_either() {
+    for start in [0.1, 0.25, 0.5, 1.0] {
+        let ball = Ball { restitution: 0.6, radius: 0.0 };
+        let varied = ball.variational();
+        let error = varied.motion(State::at_rest([start])).unwrap().advance_to(10.0).unwrap_err();
+        assert!(matches!(error.cause, Cause::ImpactsAccumulate { .. }), "{start}: {error}");
+    }
+}
+
+/// A ball of this radius.
+struct Round {
+    radius: f64,
+}
+
+#[lagrangian(coordinates = [y], jacobians)]
+impl Round {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.y * v.y
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        9.81 * q.y
+    }
+
+    #[unilateral(restitution = 0.6)]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        q.y - self.radius
+    }
+}
+
+#[test]
 fn impacts_without_end_are_named_wherever_the_floor_is() {
     for radius in [0.0, 1e-6, 0.2, 10.0] {
         for start in [0.1, 0.25, 0.5, 1.0] {
-            let ball = Ball { restitution: 0.6, radius };
+            let ball = Round { radius };
             let varied = ball.variational();
             let mut motion = varied.motion(State::at_rest([radius + start])).unwrap();
             let error = motion.advance_to(10.0).unwrap_err();
