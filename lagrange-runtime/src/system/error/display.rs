@@ -138,9 +138,9 @@ impl fmt::Display for Cause {
                 "impacts and dry friction cannot be followed backward in time: choose a time after the present one",
             ),
             Self::StepTooLong => out.write_str(
-                "the step is too long for the constraints: bringing its end back onto them would change more than the step \
-                 did, or the energy, which is conserved, changes by more than the step can have made of it; take shorter \
-                 steps",
+                "the step is too long: bringing its end back onto the constraints would change more than the step did; or \
+                 the energy, which is conserved, changes by more than the step can have made of it; or a slip in two \
+                 directions begins, whose friction turns faster than the step follows; take shorter steps, or `simulate`",
             ),
             Self::NotFinite => out.write_str(
                 "a value is infinite or not a number: check the parameters and the start, or stop before \
