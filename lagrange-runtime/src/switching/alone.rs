@@ -1,6 +1,7 @@
 //! Accelerations and reactions at a state alone, without a motion that leads there.
 
-use super::choice::{Choice, sides};
+use super::choice::Choice;
+use super::kinks::sides;
 use super::scene::{Known, Scales, Scene, Sticking};
 use super::{Regime, Row, Switching};
 use crate::number::real::Real;

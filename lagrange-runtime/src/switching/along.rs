@@ -304,11 +304,11 @@ where
         Rounded { value: value.part(0), error: error.part(0) }
     }
 
-    /// The part of the step where a guard itself is zero beside a fall of its polynomial, which is known until
-    /// a later part. The polynomial has the rounding errors of the whole part of the step that it is taken on.
-    /// The place stays as it is where the guard is within the rounding errors of its own value, or where it
-    /// has fallen before. `None` where the guard has not fallen: the polynomial does by its truncation error.
-    /// `sizes` bound the summands of the state there.
+    /// The part of the step where a guard itself is zero beside a fall of its polynomial, which is known
+    /// until a later part. The polynomial has the rounding errors of the whole part of the step that it is
+    /// taken on. The place stays as it is where the guard is within the rounding errors of its own value,
+    /// or where it has fallen before. `None` where the guard has not fallen: the polynomial does by its
+    /// truncation error. `sizes` bound the summands of the state there.
     pub(super) fn at_zero(
         &self,
         guard: Guard,

@@ -1,6 +1,6 @@
 //! The regime where a motion begins, or where it goes on from a state that is not its own.
 
-use super::choice::sides;
+use super::kinks::sides;
 use super::run::Run;
 use super::scene::{Known, Scene, above, against, entry, extent, most, rounding};
 use super::sided::turn_ahead;

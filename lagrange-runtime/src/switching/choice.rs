@@ -380,17 +380,3 @@ fn jammed<R: Real, const C: usize, const W: usize>(
 pub(super) fn is_limit<const C: usize>(rows: &[Row; C], row: usize) -> bool {
     rows.iter().any(|kind| matches!(kind, Row::Friction { normal: Some(normal), .. } if *normal == row))
 }
-
-/// The sides of kinks at a state. A switching function that is zero up to rounding has no side of its own and
-/// keeps the `present` one.
-pub(super) fn sides<R: Real, const W: usize>(kinks: &[R; W], present: &[R; W], sizes: &[R; W]) -> [R; W] {
-    array(|kink| {
-        if !above(kinks[kink].abs(), rounding::<R>() * sizes[kink]) {
-            present[kink]
-        } else if kinks[kink].is_positive() {
-            R::one()
-        } else {
-            -R::one()
-        }
-    })
-}

@@ -24,6 +24,7 @@ mod guards;
 mod hybrid;
 mod impact;
 mod impulses;
+mod kinks;
 mod launch;
 mod limits;
 mod memory;

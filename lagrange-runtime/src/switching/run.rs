@@ -2,9 +2,9 @@
 
 use super::guards::Guard;
 use super::hybrid::{Memory, sum};
+use super::kinks::jumped;
 use super::place::Event;
 use super::scene::{Known, Scene, above, most};
-use super::sided::jumped;
 use super::standstill::is_at_rest;
 use super::turning::has_pairs;
 use super::way::{Way, shift};

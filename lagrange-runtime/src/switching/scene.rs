@@ -286,8 +286,8 @@ where
     }
 
     /// Removes velocities that contacts and friction have stopped: those that are rounding errors of the
-    /// fastest one of this scene, or of the speed that a row had which holds now. The remainder has no digits,
-    /// and no series could find its scale.
+    /// fastest one of this scene, or of the speed that a row had which holds now. The remainder has no
+    /// digits, and no series could find its scale.
     ///
     /// A row that holds goes on holding: it loses all velocities that it couples, or those alone that are
     /// rounding errors of the others.
@@ -335,9 +335,10 @@ where
         }
     }
 
-    /// Removes coordinates that have no digits, like a velocity that has been stopped: those that a projection
-    /// has changed by all that they are and that no active row of the regime would notice, and those of a
-    /// contact that is closed, or rests, of whose gap nothing is left but roundings of what it was.
+    /// Removes coordinates that have no digits, like a velocity that has been stopped: those that a
+    /// projection has changed by all that they are and that no active row of the regime would notice, and
+    /// those of a contact that is closed, or rests, of whose gap nothing is left but roundings of what it
+    /// was.
     pub(super) fn place(
         &self,
         before: &[S::Scalar; N],

@@ -1,6 +1,5 @@
 //! Laws on one side of kinks.
 
-use super::choice::sides;
 use super::{Functions, Laws, Regime, Row, Switching, Wanted};
 use crate::number::elements::{Each, array};
 use crate::number::real::{Dual, Real};
@@ -52,24 +51,6 @@ fn take_side<S, const N: usize, const K: usize, const C: usize, const W: usize>(
             *size = rate.abs();
         }
     }
-}
-
-/// The sides of kinks after an impact: where it has made velocities jump over a kink, the motion goes on on the
-/// other side, and has never been on the kink.
-pub(super) fn jumped<S, const N: usize, const K: usize, const C: usize, const W: usize>(
-    system: &S,
-    after: &State<S::Scalar, N>,
-    inputs: &[S::Scalar; K],
-    kinks: &[S::Scalar; W],
-) -> [S::Scalar; W]
-where
-    S: Switching<N, K, C, W>,
-{
-    if const { W == 0 } {
-        return *kinks;
-    }
-    let laws = system.laws_at(after.t, &after.q, &after.v, inputs);
-    sides(&laws.kinks, kinks, &laws.kink_sizes)
 }
 
 /// Turns the kinks on which a state `lies` to the sides that the motion goes to with these accelerations.

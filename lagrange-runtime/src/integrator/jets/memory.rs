@@ -91,8 +91,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
         }
     }
 
-    /// Derives the order from a tolerance. A function of its own: the compiler would move its logarithm out of
-    /// loops over steps, in front of the comparison that makes it rare.
+    /// Derives the order from a tolerance. A function of its own: the compiler would move its logarithm out
+    /// of loops over steps, in front of the comparison that makes it rare.
     #[cold]
     #[inline(never)]
     fn derive_order(&mut self, relative: R) {
