@@ -16,7 +16,7 @@ use super::course::Course;
 use super::guards::{Guard, Guards, Parts, is_clear};
 use super::reactions::Borne;
 use super::scene::above;
-use super::{Functions, Switching};
+use super::{Functions, Row, Switching};
 use crate::motion::roots::{Before, Fall, Kind, Side, Zero, clear, falls, reach, stays_above};
 use crate::number::elements::Each;
 use crate::number::real::{Ordered, Real, larger, smaller};
@@ -330,6 +330,8 @@ where
         let bracket = [half * place, until];
         let zero = Zero { theta: place, kind: Kind::Falling, side: Side::Below, bracket };
         let zero = zero.polish(|place| value(place).value);
-        (zero != place || there.value < num_traits::Zero::zero()).then_some(zero)
+        // A load is a size: behind its zero it grows again, and its polynomial alone falls.
+        let is_size = matches!(guard, Guard::Row(row) if S::ROWS.get(row) == Some(&Row::Load));
+        (is_size || zero != place || there.value < num_traits::Zero::zero()).then_some(zero)
     }
 }

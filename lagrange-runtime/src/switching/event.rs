@@ -62,11 +62,14 @@ where
         if let Some(((Fall { place, fallen }, guard), sizes, ..)) = &fall {
             let parts = [*place, larger(*fallen, known)];
             let zero = if is_shared { Some(*place) } else { guards.at_zero(*guard, parts, sizes, &mut at) };
-            first = zero.map(|zero| (zero, *guard));
-            if first.is_none() {
-                // On a shorter step truncation errors are none.
-                known = S::Scalar::from_f64(0.5) * *place;
-            }
+            // On a shorter step truncation errors are none, if there is time for one.
+            let nearer = S::Scalar::from_f64(0.5) * *place;
+            first = if zero.is_none() && start.t + nearer * (end.t - start.t) != start.t {
+                known = nearer;
+                None
+            } else {
+                Some((zero.unwrap_or(*place), *guard))
+            };
         }
         // The time from the start to this part of the step, without the rounding of times.
         let mut passed = first.zip(fall).map(|((part, _), (.., length, residue))| part * length + residue);

@@ -67,6 +67,7 @@ where
         a: &[S::Scalar; N],
         switched: impl FnOnce(&mut Self, &mut State<S::Scalar, N>) -> Result<Regime<S::Scalar, C, W>, Cause>,
     ) -> Result<S::Scalar, Cause> {
+        self.check_direction(guard)?;
         let crossing = self.crossing(guard, state, a);
         let doubt = if self.is_known(guard, &crossing, state) {
             self.coincidence(guard, &crossing, state, a)
@@ -80,7 +81,7 @@ where
                 Guard::Row(switch) | Guard::Kink(switch) => Cause::Grazes { switch, name },
             })
         };
-        let Some(doubt) = doubt else { return self.directed(guard, crossing.later()) };
+        let Some(doubt) = doubt else { return Ok(crossing.later()) };
         // If nothing jumps, the time of the switch does not matter.
         let mut after = *state;
         let regime = switched(self, &mut after)?;
@@ -94,9 +95,9 @@ where
         if pairs.into_iter().all(|(&x, &y)| stays(x, y)) { Ok(num_traits::Zero::zero()) } else { Err(doubt) }
     }
 
-    /// The delay of a guard. Fails with `Grazes` for that of a load: a load has no direction where it is
-    /// zero, so its slopes are made of rounding errors.
-    fn directed(&self, guard: Guard, later: S::Scalar) -> Result<S::Scalar, Cause> {
+    /// Fails with `Grazes` for the guard of a load: a load has no direction where it is zero, so its slopes are
+    /// made of rounding errors.
+    fn check_direction(&self, guard: Guard) -> Result<(), Cause> {
         match guard {
             Guard::Row(row) if S::ROWS.get(row) == Some(&Row::Load) => {
                 let limits =
@@ -104,7 +105,7 @@ where
                 let friction = S::ROWS.iter().position(limits).unwrap_or(row);
                 Err(Cause::Grazes { switch: friction, name: S::NAMES.constraint(friction) })
             }
-            _ => Ok(later),
+            _ => Ok(()),
         }
     }
 

@@ -298,8 +298,13 @@ where
         });
         let ulps = S::Scalar::from_f64(8.0) * S::Scalar::epsilon();
         let now = *v;
+        let lever = |row: usize| self.extent_of(row, &self.units);
+        // The gradient of a row that holds, without entries that are rounding errors.
         let part = |row: usize, i: usize| match self.gradients.get(row) {
-            Some(gradient) if holds.get(row) == Some(&true) => entry(gradient, i),
+            Some(own) if holds.get(row) == Some(&true) => {
+                let (own, unit) = (entry(own, i), entry(&self.units, i));
+                if above(own.abs() * unit, ulps * lever(row)) { own } else { zero }
+            }
             _ => zero,
         };
         // Whether a row would notice that it loses this velocity alone.
@@ -311,8 +316,12 @@ where
         };
         let mut stopped: [bool; C] = array(|row| {
             let moving = entry(&self.laws.rows.rates, row) - self.along(row, &self.state.v);
-            let size = most(entry(&self.speeds, row), fastest * self.extent_of(row, &self.units));
-            !above(self.extent_of(row, &now) + moving.abs(), ulps * size)
+            let size = most(entry(&self.speeds, row), fastest * lever(row));
+            let is_slow = |i: usize| {
+                let speed = entry(&now, i).abs() * lever(row);
+                part(row, i) == zero || !above(speed, ulps * size * entry(&self.units, i))
+            };
+            !above(moving.abs(), ulps * size) && (0..N).all(is_slow)
         });
         // A row that shares a velocity with one that moves has not stopped either.
         for _ in 0..C {
