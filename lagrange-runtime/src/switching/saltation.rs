@@ -95,8 +95,8 @@ where
         if pairs.into_iter().all(|(&x, &y)| stays(x, y)) { Ok(num_traits::Zero::zero()) } else { Err(doubt) }
     }
 
-    /// Fails with `Grazes` for the guard of a load: a load has no direction where it is zero, so its slopes are
-    /// made of rounding errors.
+    /// Fails with `Grazes` for the guard of a load: a load has no direction where it is zero, so its slopes
+    /// are made of rounding errors.
     fn check_direction(&self, guard: Guard) -> Result<(), Cause> {
         match guard {
             Guard::Row(row) if S::ROWS.get(row) == Some(&Row::Load) => {
