@@ -62,7 +62,7 @@ where
         if let Some(((Fall { place, fallen }, guard), sizes, ..)) = &fall {
             let parts = [*place, larger(*fallen, known)];
             let zero = if is_shared { Some(*place) } else { guards.at_zero(*guard, parts, sizes, &mut at) };
-            // A step half as long has a truncation error of nothing. Rounding of time may leave no room for it.
+            // Half the step has hardly a truncation error, if rounding of time leaves room for it.
             let nearer = S::Scalar::from_f64(0.5) * *place;
             first = if zero.is_none() && start.t + nearer * (end.t - start.t) != start.t {
                 known = nearer;
