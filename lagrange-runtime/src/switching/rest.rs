@@ -11,7 +11,7 @@ use super::scene::{Known, Scales, Scene, Status, above, entry, extent, most, put
 use super::sided::laws_on;
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
-use crate::number::elements::{Each, array};
+use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::state::State;
@@ -208,7 +208,10 @@ where
         if (0..C).any(|row| slow[row] && above(landing.rate_at(row, &v), share * rates[row])) {
             let (change, all) = equations.saddle.solve(&[zero; N], &wanted);
             v = array(|i| self.state.v[i] + change[i]);
-            impulses = all.each(|impulse| most(impulse, zero));
+            impulses = array(|row| match S::ROWS.get(row) {
+                Some(Row::Unilateral) => most(entry(&all, row), zero),
+                _ => entry(&all, row),
+            });
         }
         let before = struck.map_or([zero; C], |(_, impulses)| *impulses);
         Some((v, array(|row| before[row] + impulses[row])))
