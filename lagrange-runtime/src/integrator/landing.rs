@@ -268,6 +268,8 @@ where
             for i in 0..N {
                 let ulp = footing.ulps_q[i];
                 beside.q[i] += if alternate && i % 2 == 1 { -ulp } else { ulp };
+                let ulp = S::Scalar::epsilon() * state.v[i].abs();
+                beside.v[i] += if alternate && i % 2 == 1 { -ulp } else { ulp };
             }
             largest =
                 larger(largest, footing.metric.extent(&difference(&self.accelerations(&beside), &here)));

@@ -2,7 +2,8 @@
 
 use super::choice::Choice;
 use super::kinks::sides;
-use super::scene::{Known, Scales, Scene, Sticking};
+use super::known::Known;
+use super::scene::{Scales, Scene, Sticking};
 use super::{Regime, Row, Switching};
 use crate::number::real::Real;
 use crate::system::System;
@@ -24,7 +25,7 @@ where
     let open = Regime::<S::Scalar, C, W>::open(&S::ROWS);
     let kinks = sides(&laws.kinks, &open.kinks, &laws.kink_sizes);
     let state = State { t, q: *q, v: *v };
-    let known = Known { closed: [false; C], fired: None, settled: true, rested: [false; C] };
+    let known = Known::settled([false; C]);
     let scene = Scene::new(system, &state, u, kinks, &Scales::new(), &known);
     let choice = scene.choose(&open, None).ok()?;
     Some((scene, choice))

@@ -1,8 +1,9 @@
 //! The regime where a motion begins, or where it goes on from a state that is not its own.
 
 use super::kinks::sides;
+use super::known::Known;
 use super::run::Run;
-use super::scene::{Known, Scene, above, against, entry, extent, most, rounding};
+use super::scene::{Scene, above, against, entry, extent, most, rounding};
 use super::sided::turn_ahead;
 use super::{Coefficients, Laws, Regime, Row, Switching};
 use crate::number::elements::array;
@@ -44,7 +45,7 @@ where
             in_regime.check_at(&in_regime.constants(), *t, q, v).map_err(|cause| cause.named(&S::NAMES))?;
         }
         let closed = self.penetrating(&state, &laws)?;
-        let known = Known { closed, fired: None, settled: false, rested: [false; C] };
+        let known = Known::new(closed);
         let begun = state;
         let mut regime = self.settle(&mut state, present, known, num_traits::Zero::zero())?;
         if const { C > 0 && W > 0 } {
@@ -87,7 +88,7 @@ where
         }
         let closed = self.memory.regime.active;
         let present = Regime { active: array(|row| closed[row] && !landed[row]), ..self.memory.regime };
-        let known = Known { closed, fired: None, settled: false, rested: [false; C] };
+        let known = Known::new(closed);
         let mut state = here;
         let regime = self.settle(&mut state, present, known, num_traits::Zero::zero())?;
         self.go_on(regime, state);
@@ -159,7 +160,7 @@ where
             return Ok(closed);
         }
         let share = S::Scalar::from_f64(1.0 / 16.0) * S::Scalar::epsilon().sqrt();
-        let known = Known { closed: [false; C], fired: None, settled: true, rested: [false; C] };
+        let known = Known::settled([false; C]);
         let scene = Scene::new(
             self.system,
             state,

@@ -7,7 +7,7 @@
 //!
 //! Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapters 5 and 7.
 
-use super::scene::{Scene, Status, Sticking, above, entry, most, rounding};
+use super::scene::{Scene, Status, Sticking, above, entry, most, put, rounding};
 use super::trials::{Options, Part, changes, combine, parts_at, regime, thresholds};
 use super::turning::has_pairs;
 use super::{Regime, Row, Switching};
@@ -46,6 +46,7 @@ where
     /// * If it is a friction at its limit, it may stick in another regime. In the regime that its guard has
     ///   ended it slips. There its acceleration grows from zero, hidden by rounding errors or by the slip
     ///   that it begins with.
+    /// * If it is a friction whose slip has ended, it sticks if it can, whatever the others do then.
     ///
     /// # Errors
     /// [`Cause::NoReaction`] or [`Cause::SeveralReactions`] where the laws of contact have no solution or
@@ -80,22 +81,39 @@ where
             return Ok(choice);
         }
         let choice = self.choose_among(self.options(present, avoid, None), None, avoid)?;
-        let mut options = self.options(present, None, None);
-        if choice.regime == *present
-            && let Some(row) = avoid
-            && let (Some(Row::Friction { pair, .. }), Some(true)) =
-                (S::ROWS.get(row), present.active.get(row))
-            && let (Some(own), Some(&force)) = (options.get_mut(row), choice.multipliers.get(row))
-        {
-            let is_forward = pair.is_some() || (-force).is_positive();
-            *own = Options::new(&[if is_forward { Part::Forward } else { Part::Backward }]);
-            return Ok(self.choose_among(options, avoid, avoid).unwrap_or(choice));
+        let Some(row) = avoid.filter(|_| choice.regime == *present) else { return Ok(choice) };
+        let Some(Row::Friction { pair, .. }) = S::ROWS.get(row) else { return Ok(choice) };
+        let is_stuck = present.active.get(row) == Some(&true);
+        let mut others = Options::new(&[Part::On]);
+        if is_stuck {
+            let is_forward = pair.is_some() || (-entry(&choice.multipliers, row)).is_positive();
+            others = Options::new(&[if is_forward { Part::Forward } else { Part::Backward }]);
+        } else if pair.is_some() {
+            return Ok(choice);
         }
-        Ok(choice)
+        let mut options = self.options(present, None, None);
+        put(&mut options, row, others);
+        Ok(self.choose_among(options, if is_stuck { avoid } else { None }, avoid).unwrap_or(choice))
     }
 
-    /// The regime among these options. Nothing is asked of a row that is decided.
+    /// The regime among these options. Nothing is asked of a row that is decided. Contacts that have opened
+    /// at this time stay open where they can.
     fn choose_among(
+        &self,
+        options: [Options; C],
+        decided: Option<usize>,
+        fired: Option<usize>,
+    ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
+        if self.opened.contains(&true) {
+            let open = array(|row| if self.opened[row] { Options::new(&[Part::Off]) } else { options[row] });
+            if let Ok(choice) = self.search(open, decided, fired) {
+                return Ok(choice);
+            }
+        }
+        self.search(options, decided, fired)
+    }
+
+    fn search(
         &self,
         options: [Options; C],
         decided: Option<usize>,

@@ -4,22 +4,24 @@
 //! grows like t², along the load, and friction turns to the load within m|v|/F, a time that begins at zero.
 //! A series there has the radius of convergence of that time, so no series can begin. This is what can:
 //! friction that turns so fast is against the load itself. So the motion is taken on by a short time τ in
-//! one piece, with accelerations under friction against the load at its end, which grow linearly from those
-//! at its start.
+//! one piece, with accelerations under friction against the load at its start, in its middle and at its end.
 //!
 //! If T is the time in which the load grows by its own size, the relative error of this is about (τ/T)³. The
 //! motion from there until T takes a few times T/τ steps.
 
+mod load;
+
+use load::{Load, Not};
+
 use super::choice::Choice;
-use super::scene::{Known, Scales, Scene, Status, above, entry, most, put, rounding};
+use super::scene::{Scales, Scene, above, entry, most, put, rounding};
 use super::sided::laws_on;
 use super::turning::has_pairs;
-use super::way::{Way, shift};
+use super::way::{Ramp, Way, shift};
 use super::{Regime, Switching};
 use crate::linear::SaddlePoint;
 use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real};
-use crate::system::System;
 use crate::system::state::State;
 
 /// The most times that a time is lengthened or shortened.
@@ -32,11 +34,6 @@ const FACTOR: f64 = 16.0;
 /// Rounds that find the time at which slips begin. Each leaves the square of the span of the one before.
 const SECANTS: usize = 4;
 
-/// The largest of some accelerations, at least zero.
-fn most_of<R: Real, const C: usize>(parts: &[R; C]) -> R {
-    parts.iter().fold(R::zero(), |a, &b| most(a, b))
-}
-
 /// A motion with slips that a growing load has begun, a short time later.
 pub(super) struct Grown<R, const N: usize, const C: usize, const W: usize> {
     pub(super) regime: Regime<R, C, W>,
@@ -48,11 +45,6 @@ pub(super) struct Grown<R, const N: usize, const C: usize, const W: usize> {
 }
 
 impl<R: Real, const N: usize, const C: usize, const W: usize> Grown<R, N, C, W> {
-    /// The motion with these changes after a time in which accelerations grow linearly.
-    fn of(regime: Regime<R, C, W>, later: R, gain: [[R; N]; 2], [a, b]: [&[R; N]; 2]) -> Self {
-        Self { regime, later, gain, way: Way::growing(*b, array(|i| (b[i] - a[i]) / later)) }
-    }
-
     /// Takes a state on from the start of the motion to its end, which is this much later where the time of
     /// the event varies.
     pub(super) fn take_on(&self, state: &mut State<R, N>, late: R) {
@@ -64,27 +56,17 @@ impl<R: Real, const N: usize, const C: usize, const W: usize> Grown<R, N, C, W> 
     }
 }
 
-/// The same for one time, with the acceleration of each slip as a part of what the forces could give it.
-type Ahead<R, const N: usize, const C: usize, const W: usize> = (Grown<R, N, C, W>, [R; C]);
-
 /// The same, and the time at which slips begin \[s].
 type Soon<R, const N: usize, const C: usize, const W: usize> = (Grown<R, N, C, W>, R);
-
-/// The reason why there is no such motion for a time.
-enum Not<R, const C: usize, const W: usize> {
-    /// The load has not grown beyond what friction holds, or not evenly, or no motion is found.
-    Grown,
-    /// Another regime has begun meanwhile.
-    Alone(Regime<R, C, W>),
-}
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
 where
     S: Switching<N, K, C, W>,
     S::Scalar: Ordered,
 {
-    /// The motion after a choice by which slips begin without an acceleration, when the load has grown enough
-    /// for a series to begin; `None` where all slips that begin are accelerated, or the load does not grow.
+    /// The motion after a choice by which slips begin, when they are fast enough for a series to begin: with
+    /// the accelerations of the choice, or where these are small, when the load has grown. `None` where none
+    /// begin, or the load does not grow evenly.
     #[cold]
     pub(super) fn grown(
         &self,
@@ -95,12 +77,17 @@ where
             return None;
         }
         let begins = self.beginning(&choice.regime);
-        // The time of a switch has errors, as velocities have. Whether a slip is driven that is hardly driven
-        // here shows by how it grows.
-        let changed = self.lost.part(0).sqrt();
-        let is_driven = |rows: [usize; 2]| above(self.driven_part(rows, choice), changed);
+        // Until a slip that is hardly driven here is fast enough, its load decides about it.
+        let changed = self.growth();
+        let is_driven =
+            |rows: [usize; 2]| above(self.driven_part(rows, &choice.accelerations, &choice.sizes), changed);
         if begins.slips(&S::ROWS).all(is_driven) {
-            return None;
+            let later = choice.later.part(0);
+            return if later.is_positive() {
+                self.grown_by(choice.regime, &choice.accelerations, scales, later).ok()
+            } else {
+                None
+            };
         }
         match self.soon(choice, scales, false) {
             Ok((grown, _)) => Some(grown),
@@ -168,26 +155,25 @@ where
         let wanted = self.growth();
         let mut later = self.instant();
         for _ in 0..TRIES {
-            let part = match self.ahead(regime, a, scales, later) {
-                Ok((_, parts)) => most_of(&parts),
+            let part = match self.load_at(regime, a, scales, later) {
+                Ok(load) => load.most(),
                 Err(Not::Grown) => num_traits::Zero::zero(),
                 Err(other) => return Err(other),
             };
             if above(part, wanted) {
                 later *= wanted / part;
-                let (grown, parts) = self.ahead(regime, a, scales, later)?;
-                // A load that has not grown evenly is another one, met later.
-                let (_, mut halves) = self.ahead(regime, a, scales, later * number(0.5))?;
-                let mut onset = num_traits::Zero::zero();
-                if is_shared {
-                    onset = self.onset(regime, a, scales, later, [most_of(&parts), most_of(&halves)]);
-                    (_, halves) = self.ahead(regime, a, scales, number(0.5) * (onset + later))?;
+                if !is_shared {
+                    let grown = self.grown_by(regime, a, scales, later)?;
+                    return Ok((grown, num_traits::Zero::zero()));
                 }
-                let is_even = |(&whole, &half): (&S::Scalar, &S::Scalar)| {
-                    !above(number(0.4) * whole, half) && !above(half, number(0.6) * whole)
-                };
-                let are_even = parts.iter().zip(&halves).all(is_even);
-                return if are_even { Ok((grown, onset)) } else { Err(Not::Grown) };
+                let end = self.load_at(regime, a, scales, later)?;
+                let middle = self.load_at(regime, a, scales, later * number(0.5))?;
+                let onset = self.onset(regime, a, scales, later, [end.most(), middle.most()]);
+                let between = self.load_at(regime, a, scales, number(0.5) * (onset + later))?;
+                if !end.is_even(&between) {
+                    return Err(Not::Grown);
+                }
+                return Ok((self.taken_on(regime, a, &middle, &end).ok_or(Not::Grown)?, onset));
             }
             let is_near = above(part, rounding::<S::Scalar>() + wanted / number(FACTOR));
             later *= if is_near { number(1.0 + 1.0 / FACTOR) * wanted / part } else { number(FACTOR) };
@@ -215,7 +201,7 @@ where
             }
             onset = most(onset + passed, zero);
             span = (span - passed) / number(FACTOR);
-            let at = |place| self.ahead(regime, a, scales, onset + place).map(|(_, parts)| most_of(&parts));
+            let at = |place| self.load_at(regime, a, scales, onset + place).map(|load| load.most());
             (whole, half) = match (at(span), at(number(0.5) * span)) {
                 (Ok(whole), Ok(half)) => (whole, half),
                 _ => break,
@@ -230,36 +216,14 @@ where
         stuck: &Choice<S::Scalar, N, C, W>,
         later: S::Scalar,
     ) -> Option<Grown<S::Scalar, N, C, W>> {
-        let a = &stuck.accelerations;
         let in_regime = self.system.in_regime(&stuck.regime);
-        let State { t, q, v } = self.moved(&in_regime, a, later)?;
-        let b = S::equations_in(&in_regime, t, &q, &v, self.inputs)?.balance().accelerations;
-        Some(Grown::of(stuck.regime, later, self.gain(a, &b, later), [a, &b]))
-    }
-
-    /// The state after a time with constant accelerations, on the constraints of a regime.
-    fn moved(
-        &self,
-        in_regime: &S::InRegime,
-        a: &[S::Scalar; N],
-        later: S::Scalar,
-    ) -> Option<State<S::Scalar, N>> {
-        let mut state = self.state;
-        shift(&mut state, a, later);
-        state.t += later;
-        in_regime.project_at(&in_regime.constants(), &mut state, None).ok()?;
-        Some(state)
-    }
-
-    /// The changes of coordinates and velocities in a time in which accelerations grow linearly from `a` to
-    /// `b`.
-    fn gain(&self, a: &[S::Scalar; N], b: &[S::Scalar; N], later: S::Scalar) -> [[S::Scalar; N]; 2] {
-        let number = S::Scalar::from_f64;
-        let v = &self.state.v;
-        [
-            array(|i| later * (v[i] + later * (a[i] + a[i] + b[i]) / number(6.0))),
-            array(|i| later * (a[i] + b[i]) / number(2.0)),
-        ]
+        let State { t, q, v } = self.moved(&in_regime, &stuck.accelerations, later)?;
+        let start = stuck.accelerations;
+        let end = S::equations_in(&in_regime, t, &q, &v, self.inputs)?.balance().accelerations;
+        let middle = array(|i| S::Scalar::from_f64(0.5) * (start[i] + end[i]));
+        let ramp = Ramp { start, middle, end, lasts: later };
+        let gain = ramp.gain(&self.state.v);
+        Some(Grown { regime: stuck.regime, later, gain, way: Way::along(&ramp) })
     }
 
     /// The same as far as the regime lasts.
@@ -271,14 +235,16 @@ where
     ) -> Option<Grown<S::Scalar, N, C, W>> {
         let (mut later, mut last) = (self.instant(), None);
         for _ in 0..TRIES {
-            match self.ahead(regime, a, scales, later) {
-                Ok((grown, _)) => last = Some(grown),
+            match self.load_at(regime, a, scales, later) {
+                Ok(load) => last = Some(load),
                 Err(Not::Grown) => {}
                 Err(Not::Alone(_)) => break,
             }
             later *= S::Scalar::from_f64(2.0);
         }
-        last
+        let end = last?;
+        let middle = self.load_at(regime, a, scales, S::Scalar::from_f64(0.5) * end.later).ok()?;
+        self.taken_on(regime, a, &middle, &end)
     }
 
     /// A time that rounding hardly resolves \[s].
@@ -287,64 +253,62 @@ where
         S::Scalar::from_f64(FACTOR) * ulp * self.state.t.part(0).abs() + ulp.powi(4)
     }
 
-    /// The acceleration of a slip, as a part of what the forces could give it.
-    fn driven_part(&self, rows: [usize; 2], choice: &Choice<S::Scalar, N, C, W>) -> S::Scalar {
-        let [x, y] = rows.each(|row| self.rate(row, &choice.accelerations));
-        let [a, b] = rows.each(|row| self.extent_of(row, &choice.sizes.accelerations));
-        let size = most(a, b);
-        // A number alone: the time that follows from it has no variation.
-        if size.is_positive() { (x.hypot(y) / size).part(0) } else { num_traits::Zero::zero() }
-    }
-
-    /// The motion after a time \[s], with the accelerations `a` now.
-    fn ahead(
+    /// The motion after a time \[s], if the load grows evenly until then. One that does not is another one,
+    /// met later.
+    fn grown_by(
         &self,
         regime: Regime<S::Scalar, C, W>,
         a: &[S::Scalar; N],
         scales: &Scales<S::Scalar, C>,
         later: S::Scalar,
-    ) -> Result<Ahead<S::Scalar, N, C, W>, Not<S::Scalar, C, W>> {
-        let number = S::Scalar::from_f64;
-        let zero: S::Scalar = num_traits::Zero::zero();
-        let begins = self.beginning(&regime);
-        let in_regime = self.system.in_regime(&begins.held(&regime));
-        let state = self.moved(&in_regime, a, later).ok_or(Not::Grown)?;
-        // Contacts that bear and friction at rest: the state has been projected onto them, so that what is
-        // left of their rates is rounding errors.
-        let rested = array(|row| match self.status.get(row) {
-            Some(Status::Touches) => regime.active.get(row) == Some(&true),
-            status => status == Some(&Status::Rests),
-        });
-        let known = Known { closed: self.is_closed, fired: None, settled: true, rested };
-        let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
-        let there = scene.choose(&regime, None).map_err(|_| Not::Grown)?;
-        let slips = |row: usize| entry(&there.regime.slip, row) != zero;
-        if !begins
-            .slips(&S::ROWS)
-            .all(|rows| scene.status.get(rows[0]) == Some(&Status::Rests) && slips(rows[0]))
-        {
+    ) -> Result<Grown<S::Scalar, N, C, W>, Not<S::Scalar, C, W>> {
+        let end = self.load_at(regime, a, scales, later)?;
+        let middle = self.load_at(regime, a, scales, S::Scalar::from_f64(0.5) * later)?;
+        if !end.is_even(&middle) {
             return Err(Not::Grown);
         }
-        if there.regime != regime {
-            return Err(Not::Alone(there.regime));
-        }
-        let (mut parts, mut slips) = ([zero; C], [zero; C]);
+        self.taken_on(regime, a, &middle, &end).ok_or(Not::Grown)
+    }
+
+    /// The motion until the end of a time, with the accelerations `a` now and loads in its middle and at its
+    /// end.
+    fn taken_on(
+        &self,
+        regime: Regime<S::Scalar, C, W>,
+        a: &[S::Scalar; N],
+        middle: &Load<S::Scalar, N, C>,
+        end: &Load<S::Scalar, N, C>,
+    ) -> Option<Grown<S::Scalar, N, C, W>> {
+        let number = S::Scalar::from_f64;
+        let (zero, later): (S::Scalar, _) = (num_traits::Zero::zero(), end.later);
+        let begins = self.beginning(&regime);
+        let ramp = Ramp { start: *a, middle: middle.accelerations, end: end.accelerations, lasts: later };
+        let State { t, q, v } = self.state;
+        let [gain_q, gain_v] = ramp.gain(&v);
+        let (t, q, v) = (t + later, array(|i| q[i] + gain_q[i]), array(|i| v[i] + gain_v[i]));
+        // The slip has the direction of the load, as it is at the end.
+        let rates = laws_on(self.system, &State { t, q, v }, self.inputs, &self.kinks).rows.rates;
+        let mut lack = [zero; C];
         for rows in begins.slips(&S::ROWS) {
-            put(&mut parts, rows[0], scene.driven_part(rows, &there));
+            let size = |load: &dyn Fn(usize) -> S::Scalar| {
+                let [x, y] = rows.each(load);
+                x.hypot(y)
+            };
+            let [first, half, last] = [
+                size(&|row| self.rate(row, a)),
+                size(&|row| entry(&middle.rates, row)),
+                size(&|row| entry(&end.rates, row)),
+            ];
+            let mean = (first + number(4.0) * half + last) / number(6.0);
             for row in rows {
-                put(&mut slips, row, number(0.5) * later * scene.rate(row, &there.accelerations));
+                let slip = later * mean * (entry(&end.rates, row) / last);
+                put(&mut lack, row, slip - entry(&rates, row));
             }
         }
-        let State { t, q, v } = self.state;
-        let b = &there.accelerations;
-        let [gain_q, gain_v] = self.gain(a, b, later);
-        let (t, q, v) = (t + later, array(|i| q[i] + gain_q[i]), array(|i| v[i] + gain_v[i]));
-        // The slip is that of its own accelerations: in the direction of the load, as it is there.
-        let rates = laws_on(self.system, &State { t, q, v }, self.inputs, &self.kinks).rows.rates;
-        let lack = array(|row| if begins.has(row) { slips[row] - rates[row] } else { zero });
-        let equations = S::equations_in(&in_regime, t, &q, &v, self.inputs).ok_or(Not::Grown)?;
+        let in_regime = self.system.in_regime(&begins.held(&regime));
+        let equations = S::equations_in(&in_regime, t, &q, &v, self.inputs)?;
         let (change, _) = equations.saddle.solve(&[zero; N], &lack);
         let gain = [gain_q, array(|i| gain_v[i] + change[i])];
-        Ok((Grown::of(regime, later, gain, [a, b]), parts))
+        Some(Grown { regime, later, gain, way: Way::along(&ramp) })
     }
 }

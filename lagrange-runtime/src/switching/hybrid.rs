@@ -82,6 +82,7 @@ where
             scales: Scales::new(),
             flips: [0; W],
             changes: 0,
+            opened: [false; C],
             counts: Steps::default(),
         }
     }

@@ -18,7 +18,8 @@
 //! kinetic energy is a parabola. Its lowest point lies at the plastic impact or beyond, so up to twice that
 //! distance the energy is no larger than before.
 
-use super::scene::{Known, Scales, Scene, Status, above, entry, most, product, rounding};
+use super::known::Known;
+use super::scene::{Scales, Scene, Status, above, entry, most, product, rounding};
 use super::trials::{Options, Part, changes, combinations, combine, thresholds};
 use super::{Laws, Row, Switching};
 use crate::number::elements::{Each, array};
@@ -134,7 +135,7 @@ where
             _ => zero,
         });
         let v = array(|i| self.state.v[i] + compression.changes[i]);
-        let known = Known { closed: self.is_closed, fired: None, settled: true, rested: [false; C] };
+        let known = Known::settled(self.is_closed);
         let scales = Scales { speeds: self.speeds, ..Scales::new() };
         let state = State { v, ..self.state };
         let between = Scene::new(self.system, &state, self.inputs, self.kinks, &scales, &known);

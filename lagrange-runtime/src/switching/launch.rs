@@ -140,6 +140,13 @@ where
         least * S::Scalar::from_f64(LAUNCHED)
     }
 
+    /// Whether the roundings of velocities leave a slip its direction.
+    pub(super) fn has_direction(&self, rows: [usize; 2]) -> bool {
+        let [x, y] = rows.each(|row| entry(&self.laws.rows.rates, row));
+        let [a, b] = rows.each(|row| entry(&self.laws.rows.rate_sizes, row));
+        above(x.hypot(y), S::Scalar::from_f64(LAUNCHED) * S::Scalar::epsilon() * most(a, b))
+    }
+
     /// The time \[s] in which slips that begin grow to those of `velocities`. `None` where it is so long that
     /// accelerations change meanwhile, or that a contact closes which is open in the regime.
     #[cold]

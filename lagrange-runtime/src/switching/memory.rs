@@ -2,10 +2,10 @@
 
 use core::fmt;
 
-use super::Regime;
 use super::guards::Guard;
 use super::scene::Scales;
 use super::way::Way;
+use super::{Regime, Row};
 use crate::integrator::jets::JetsMemory;
 use crate::number::real::{Ordered, Real};
 use crate::system::error::Cause;
@@ -51,6 +51,8 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) flips: [usize; W],
     /// Changes of the regime since then.
     pub(super) changes: usize,
+    /// Contacts that have opened since then, or since an impact.
+    pub(super) opened: [bool; C],
     /// The costs of the regimes before.
     pub(super) counts: Steps,
 }
@@ -103,6 +105,16 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
             return Some(after);
         }
         (t == self.switched && self.next.is_some()).then(|| self.switched())
+    }
+
+    /// Notes the contacts that have opened from one regime to the next, unless that was an impact.
+    pub(super) fn note_opened(&mut self, rows: &[Row; C], before: &Regime<R, C, W>, after: &Regime<R, C, W>) {
+        let is_impact = self.impulses != [R::zero(); C];
+        for (row, (opened, kind)) in self.opened.iter_mut().zip(rows).enumerate() {
+            let bears = |regime: &Regime<R, C, W>| regime.active.get(row) == Some(&true);
+            *opened |= *kind == Row::Unilateral && bears(before) && !bears(after);
+            *opened &= !is_impact;
+        }
     }
 
     /// The impulses of the last change of the regime.

@@ -25,6 +25,7 @@ mod hybrid;
 mod impact;
 mod impulses;
 mod kinks;
+mod known;
 mod launch;
 mod limits;
 mod memory;

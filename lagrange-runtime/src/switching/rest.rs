@@ -7,7 +7,8 @@
 
 use super::choice::Sizes;
 use super::impact::Struck;
-use super::scene::{Known, Scales, Scene, Status, above, entry, extent, most, put, rounding};
+use super::known::Known;
+use super::scene::{Scales, Scene, Status, above, entry, extent, most, put, rounding};
 use super::sided::laws_on;
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
@@ -199,7 +200,7 @@ where
         let equations = S::equations_in(&self.system.in_regime(&closed), *t, q, v, self.inputs)?;
         let (change, _) = equations.saddle.solve(&[zero; N], &turned);
         let back = State { v: array(|i| v[i] + change[i]), ..self.state };
-        let known = Known { closed: slow, fired: None, settled: false, rested: [false; C] };
+        let known = Known::new(slow);
         let landing = Scene::new(self.system, &back, self.inputs, self.kinks, scales, &known);
         let (mut v, mut impulses) = landing.plastic().ok()?;
         // In a corner, each contact opens another one: passages follow each other as bounces do. What they

@@ -3,8 +3,9 @@
 use super::guards::Guard;
 use super::hybrid::{Memory, sum};
 use super::kinks::jumped;
+use super::known::Known;
 use super::place::Event;
-use super::scene::{Known, Scene, above, most};
+use super::scene::{Scene, above, most};
 use super::standstill::is_at_rest;
 use super::turning::has_pairs;
 use super::way::{Way, shift};
@@ -89,7 +90,7 @@ where
                 }
                 let rested = scene.stopped(&state.v, impulses);
                 present.kinks = jumped(self.system, state, inputs, &present.kinks);
-                known = Known { closed: scene.is_closed, fired: None, settled: true, rested };
+                known = Known { rested, ..Known::settled(scene.is_closed) };
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &later;
             }
@@ -303,7 +304,7 @@ where
         let resolution = S::Scalar::from_f64(16.0) * S::Scalar::epsilon() * from.abs();
         let has_passed = (to - from).abs() > resolution;
         if has_passed {
-            (self.memory.flips, self.memory.changes) = ([0; W], 0);
+            (self.memory.flips, self.memory.changes, self.memory.opened) = ([0; W], 0, [false; C]);
         }
         has_passed
     }
@@ -341,7 +342,7 @@ where
             self.complete(guard, &mut event.accelerations, state.t);
             event.go_back();
         }
-        let known = Known { closed: present.active, fired, settled: false, rested: [false; C] };
+        let known = Known { fired, opened: self.memory.opened, ..Known::new(present.active) };
         let varied = if S::Scalar::PARTS > 1 && regime_ends {
             let a = &event.accelerations;
             self.varied(guard, &state, a, |run, state| run.settle(state, present, known, event.late))?
@@ -352,6 +353,7 @@ where
         shift(&mut state, &event.accelerations, varied);
         state.t += varied;
         let regime = self.settle(&mut state, present, known, event.late - varied)?;
+        self.memory.note_opened(&S::ROWS, &present, &regime);
         self.memory.next = Some((regime, state));
         Ok(())
     }

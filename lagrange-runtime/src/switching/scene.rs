@@ -2,6 +2,7 @@
 
 use num_traits::Zero;
 
+use super::known::Known;
 use super::sided::laws_on;
 use super::{Coefficients, Laws, Regime, Row, Switching};
 use crate::number::elements::array;
@@ -129,20 +130,6 @@ pub(super) enum Sticking {
     ByImpulses,
 }
 
-/// The knowledge of a state beside its numbers.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Known<const C: usize> {
-    /// Gaps that count as zero whatever their rounding errors are.
-    pub(super) closed: [bool; C],
-    /// The row whose guard has led here: its gap or its slip velocity is zero.
-    pub(super) fired: Option<usize>,
-    /// Rows whose rate or slip counts as zero whatever its rounding errors are: the rate of a gap only if the
-    /// gap is zero.
-    pub(super) rested: [bool; C],
-    /// Whether impacts are over: the closing velocities that are left are rounding errors.
-    pub(super) settled: bool,
-}
-
 /// A state with all numbers that decide about its regime.
 pub(super) struct Scene<'a, S, const N: usize, const K: usize, const C: usize, const W: usize>
 where
@@ -158,6 +145,8 @@ where
     pub(super) status: [Status; C],
     /// Gaps that are zero.
     pub(super) is_closed: [bool; C],
+    /// Contacts that have opened at this time.
+    pub(super) opened: [bool; C],
     /// Sizes of rates and slip velocities.
     pub(super) speeds: [S::Scalar; C],
     /// The part of them that a slip in two directions has to exceed for its direction to be known.
@@ -201,6 +190,7 @@ where
             laws,
             status: [Status::Apart; C],
             is_closed: [false; C],
+            opened: known.opened,
             speeds,
             lost: scales.lost(),
             gradients,

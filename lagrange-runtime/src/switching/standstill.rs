@@ -1,10 +1,12 @@
 //! Where a motion stands still: slips in two directions that come to rest, and rest that lasts.
 
+use super::known::Known;
 use super::run::Run;
-use super::scene::{Known, Scene, above, entry, most, put};
+use super::scene::{Scene, above, entry, most, put};
 use super::turning::{has_pairs, pairs};
-use super::way::{Way, shift};
+use super::way::{Ramp, Way, shift};
 use super::{Row, Switching};
+use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
 use crate::system::control::Held;
 use crate::system::error::Cause;
@@ -57,35 +59,57 @@ where
             }
             let (memory, inputs) = (&*self.memory, &self.control.0);
             let State { t, q, v } = memory.end;
-            let known =
-                Known { closed: memory.regime.active, fired: None, settled: true, rested: [false; C] };
+            let known = Known::settled(memory.regime.active);
             let scene =
                 Scene::new(self.system, &memory.end, inputs, memory.regime.kinks, &memory.scales, &known);
             let Some(equations) = S::equations_in(&memory.in_regime, t, &q, &v, inputs) else { continue };
             let mut a = equations.balance().accelerations;
+            let mut b = a;
             let rates = &scene.laws.rows.rates;
             let (Some(&x), Some(&y)) = (rates.get(row), rates.get(other)) else { continue };
-            let falls = -(x * scene.rate(row, &a) + y * scene.rate(other, &a));
-            let mut left = (x * x + y * y) / falls;
+            let number = S::Scalar::from_f64;
+            let size = x * x + y * y;
+            let falls = |a: &[S::Scalar; N]| -(x * scene.rate(row, a) + y * scene.rate(other, a)) / size;
+            let fall = falls(&a);
+            let mut left = num_traits::Zero::zero();
             if x == num_traits::Zero::zero() && y == num_traits::Zero::zero() {
                 // The slip is at rest, and has no direction any more.
-                (left, a) = (num_traits::Zero::zero(), [num_traits::Zero::zero(); N]);
-            } else if !falls.is_positive() {
+                (a, b) = ([num_traits::Zero::zero(); N], [num_traits::Zero::zero(); N]);
+            } else if !fall.is_positive() {
                 continue;
+            } else {
+                left = fall.recip();
+                // The load changes on the way: 1 − fall t + c t² is the slip that is left of it.
+                let middle = number(0.5) * left;
+                let mut half = State { t: t + middle, q, v };
+                shift(&mut half, &a, middle);
+                let equations = S::equations_in(&memory.in_regime, half.t, &half.q, &half.v, inputs);
+                let Some(equations) = equations else { continue };
+                let there = equations.balance().accelerations;
+                let root = fall * (number(4.0) * falls(&there) - number(3.0) * fall);
+                if root.is_positive() {
+                    left = number(2.0) / (fall + root.sqrt());
+                    b = array(|i| a[i] + (there[i] - a[i]) * (left / middle));
+                } else if scene.has_direction([row, other]) {
+                    // It turns before it comes to rest.
+                    continue;
+                }
             }
-            let mut state = State { t: t + left, q, v };
-            shift(&mut state, &a, left);
+            let ramp = Ramp { start: a, middle: array(|i| number(0.5) * (a[i] + b[i])), end: b, lasts: left };
+            let [gain_q, gain_v] = ramp.gain(&v);
+            let mut state =
+                State { t: t + left, q: array(|i| q[i] + gain_q[i]), v: array(|i| v[i] + gain_v[i]) };
             let present = memory.regime;
             // Feet that come to rest together do so up to the tolerance.
             let mut rested = [false; C];
             for rows in pairs(&S::ROWS).filter(|&[row, other]| self.rests(row, other, &state)) {
                 rows.into_iter().for_each(|row| put(&mut rested, row, true));
             }
-            let known = Known { closed: present.active, fired: Some(row), settled: false, rested };
+            let known = Known { fired: Some(row), rested, ..Known::new(present.active) };
             let regime = self.settle(&mut state, present, known, left.part(0) - left)?;
             // If another slip begins at once, that is the way.
             if state.t == t + left.part(0) {
-                self.memory.way = Way::with(a);
+                self.memory.way = Way::along(&ramp);
             }
             self.memory.next = Some((regime, state));
             return Ok(());

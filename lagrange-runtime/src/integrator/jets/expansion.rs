@@ -120,10 +120,12 @@ where
             let natural = smaller(tolerated, number(NEAR)) * unit;
             return Ok(Some(natural));
         }
-        // In a unit far from the step, coefficients are near the ends of the range of numbers, or beyond.
-        overflowed |= !is_finite;
+        // In a unit far from the step, coefficients are near the ends of the range of numbers, or beyond. A
+        // length of zero is that of coefficients that overflow when they are divided by their tolerance.
+        let is_known = is_finite && tolerated.is_positive();
+        overflowed |= !is_known;
         let factor =
-            if is_finite { smaller(larger(tolerated, number(1e-9)), number(1e9)) } else { number(1e-3) };
+            if is_known { smaller(larger(tolerated, number(1e-9)), number(1e9)) } else { number(1e-3) };
         // Two units may each ask for the other, since a component that starts with many zero derivatives has
         // no size but in the unit. The shorter unit is safe.
         overflowed |= lengthened && factor < num_traits::One::one();

@@ -9,7 +9,8 @@ use super::super::Row;
 use super::super::Switching;
 use super::super::course::Course;
 use super::super::guards::{Guard, Guards, PLACES};
-use super::super::scene::{Known, Scales, Scene, Sticking};
+use super::super::known::Known;
+use super::super::scene::{Scales, Scene, Sticking};
 use super::super::turning::has_pairs;
 use crate::motion::roots::Fall;
 use crate::number::real::{Ordered, Real};
@@ -82,7 +83,7 @@ where
 
     /// Whether reactions are possible with which all goes on at a state as it does in the regime.
     fn holds(&self, state: &State<S::Scalar, N>) -> bool {
-        let known = Known { closed: self.regime.active, fired: None, settled: true, rested: [false; C] };
+        let known = Known::settled(self.regime.active);
         let kinks = self.regime.kinks;
         let scene = Scene::new(self.system, state, self.inputs, kinks, &Scales::new(), &known);
         let Some((balance, _)) = scene.balance(self.regime, &state.v) else { return false };

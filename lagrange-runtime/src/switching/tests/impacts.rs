@@ -1,7 +1,8 @@
 //! Contacts and impacts.
 
 use super::*;
-use crate::switching::scene::{Known, Scales, Scene};
+use crate::switching::known::Known;
+use crate::switching::scene::{Scales, Scene};
 
 const G: f64 = 9.81;
 
@@ -235,7 +236,7 @@ fn no_impact_makes_energy_or_penetrates() {
             coefficients: core::array::from_fn(|_| random()),
         });
         let state = State::new([0.0; 3], core::array::from_fn(|_| 2.0 * random() - 1.0));
-        let known = Known { closed: [true; 4], fired: None, settled: false, rested: [false; 4] };
+        let known = Known::new([true; 4]);
         let scene = Scene::new(&any, &state, &[], [], &Scales::new(), &known);
         if !scene.has_impact() {
             continue;

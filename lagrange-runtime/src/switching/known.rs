@@ -1,0 +1,30 @@
+//! The knowledge of a state beside its numbers.
+
+/// What is known of a state beside its numbers.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Known<const C: usize> {
+    /// Gaps that count as zero whatever their rounding errors are.
+    pub(super) closed: [bool; C],
+    /// The row whose guard has led here: its gap or its slip velocity is zero.
+    pub(super) fired: Option<usize>,
+    /// Rows whose rate or slip counts as zero whatever its rounding errors are: the rate of a gap only if the
+    /// gap is zero.
+    pub(super) rested: [bool; C],
+    /// Contacts that have opened at this time. They close again only where no other regime is possible:
+    /// without this, two regimes that rounding errors alone tell apart could follow each other without end.
+    pub(super) opened: [bool; C],
+    /// Whether impacts are over: the closing velocities that are left are rounding errors.
+    pub(super) settled: bool,
+}
+
+impl<const C: usize> Known<C> {
+    /// These gaps are zero.
+    pub(super) fn new(closed: [bool; C]) -> Self {
+        Self { closed, fired: None, rested: [false; C], opened: [false; C], settled: false }
+    }
+
+    /// These gaps are zero, and impacts are over.
+    pub(super) fn settled(closed: [bool; C]) -> Self {
+        Self { settled: true, ..Self::new(closed) }
+    }
+}
