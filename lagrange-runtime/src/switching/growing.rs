@@ -14,6 +14,8 @@ mod load;
 use load::{Load, Not};
 
 use super::choice::Choice;
+use super::known::Known;
+use super::launch::LAUNCHED;
 use super::scene::{Scales, Scene, above, entry, most, put, rounding};
 use super::sided::laws_on;
 use super::turning::has_pairs;
@@ -56,6 +58,14 @@ impl<R: Real, const N: usize, const C: usize, const W: usize> Grown<R, N, C, W> 
     }
 }
 
+/// How far a motion has strayed from the equations.
+struct Strays<R> {
+    /// The error of a slip, in tolerances.
+    error: R,
+    /// The slowest slip, as a part of what it needs to have a direction.
+    known: R,
+}
+
 /// The same, and the time at which slips begin \[s].
 type Soon<R, const N: usize, const C: usize, const W: usize> = (Grown<R, N, C, W>, R);
 
@@ -82,19 +92,27 @@ where
         let is_driven =
             |rows: [usize; 2]| above(self.driven_part(rows, &choice.accelerations, &choice.sizes), changed);
         if begins.slips(&S::ROWS).all(is_driven) {
-            let later = choice.later.part(0);
-            return if later.is_positive() {
-                self.grown_by(choice.regime, &choice.accelerations, scales, later).ok()
-            } else {
-                None
-            };
+            return self.driven(choice, scales);
         }
         match self.soon(choice, scales, false) {
             Ok((grown, _)) => Some(grown),
-            Err(regime) if regime == choice.regime => None,
+            Err(regime) if regime == choice.regime => self.driven(choice, scales),
             // Only the slips of the choice begin here. The motion meets those that begin later.
             Err(_) => self.until(choice.regime, &choice.accelerations, scales),
         }
+    }
+
+    /// The same where the accelerations of the choice drive the slips.
+    fn driven(
+        &self,
+        choice: &Choice<S::Scalar, N, C, W>,
+        scales: &Scales<S::Scalar, C>,
+    ) -> Option<Grown<S::Scalar, N, C, W>> {
+        let later = choice.later.part(0);
+        if !later.is_positive() {
+            return None;
+        }
+        self.grown_by(choice.regime, &choice.accelerations, scales, later).ok()
     }
 
     /// The same where feet have stuck that shared a load. Where the last possible shares are hard to find,
@@ -262,12 +280,59 @@ where
         scales: &Scales<S::Scalar, C>,
         later: S::Scalar,
     ) -> Result<Grown<S::Scalar, N, C, W>, Not<S::Scalar, C, W>> {
-        let end = self.load_at(regime, a, scales, later)?;
-        let middle = self.load_at(regime, a, scales, S::Scalar::from_f64(0.5) * later)?;
-        if !end.is_even(&middle) {
-            return Err(Not::Grown);
+        let number = S::Scalar::from_f64;
+        let mut later = later;
+        for _ in 0..TRIES {
+            let end = self.load_at(regime, a, scales, later)?;
+            let middle = self.load_at(regime, a, scales, number(0.5) * later)?;
+            if !end.is_even(&middle) {
+                return Err(Not::Grown);
+            }
+            let grown = self.taken_on(regime, a, &middle, &end).ok_or(Not::Grown)?;
+            let strays = self.strays(&grown, &end, scales).ok_or(Not::Grown)?;
+            // The slip grows like t², and what it does to its own load like t⁴.
+            let factor = number(0.9) / strays.error.part(0).sqrt().sqrt();
+            let is_fast = above(strays.known.part(0) * factor * factor, number(1.0));
+            if !above(strays.error, number(1.0)) || !is_fast {
+                return Ok(grown);
+            }
+            later *= most(factor, number(1.0 / FACTOR));
         }
-        self.taken_on(regime, a, &middle, &end).ok_or(Not::Grown)
+        Err(Not::Grown)
+    }
+
+    /// How well the end of a motion obeys the equations, in which the slips are those that it has.
+    fn strays(
+        &self,
+        grown: &Grown<S::Scalar, N, C, W>,
+        end: &Load<S::Scalar, N, C>,
+        scales: &Scales<S::Scalar, C>,
+    ) -> Option<Strays<S::Scalar>> {
+        let number = S::Scalar::from_f64;
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let mut state = self.state;
+        grown.take_on(&mut state, zero);
+        let in_regime = self.system.in_regime(&grown.regime);
+        let equations = S::equations_in(&in_regime, state.t, &state.q, &state.v, self.inputs)?;
+        let found = equations.balance().accelerations;
+        let known = Known::settled(self.is_closed);
+        let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
+        let mut strays = Strays { error: zero, known: number(f64::INFINITY) };
+        for rows in self.beginning(&grown.regime).slips(&S::ROWS) {
+            let [x, y] = rows.each(|row| entry(&scene.laws.rows.rates, row));
+            let slip = x.hypot(y);
+            let along = |rate: &dyn Fn(usize) -> S::Scalar| (x * rate(rows[0]) + y * rate(rows[1])) / slip;
+            let lacks = along(&|row| scene.rate(row, &found)) - along(&|row| entry(&end.rates, row));
+            let [a, b] = rows.each(|row| entry(&scene.speeds, row));
+            let speed = most(a, b);
+            let ulps = number(LAUNCHED) * S::Scalar::epsilon();
+            // What grows like t³ is a quarter of that in the mean.
+            let error = number(0.25) * grown.later * lacks.abs();
+            strays.error = most(strays.error, error / (most(scales.relative, ulps) * speed));
+            let known = slip / (number(LAUNCHED) * ulps * speed);
+            strays.known = if above(strays.known, known) { known } else { strays.known };
+        }
+        strays.error.is_finite().then_some(strays)
     }
 
     /// The motion until the end of a time, with the accelerations `a` now and loads in its middle and at its
@@ -282,7 +347,7 @@ where
         let number = S::Scalar::from_f64;
         let (zero, later): (S::Scalar, _) = (num_traits::Zero::zero(), end.later);
         let begins = self.beginning(&regime);
-        let ramp = Ramp { start: *a, middle: middle.accelerations, end: end.accelerations, lasts: later };
+        let mut ramp = Ramp { start: *a, middle: middle.accelerations, end: end.accelerations, lasts: later };
         let State { t, q, v } = self.state;
         let [gain_q, gain_v] = ramp.gain(&v);
         let (t, q, v) = (t + later, array(|i| q[i] + gain_q[i]), array(|i| v[i] + gain_v[i]));
@@ -308,7 +373,12 @@ where
         let in_regime = self.system.in_regime(&begins.held(&regime));
         let equations = S::equations_in(&in_regime, t, &q, &v, self.inputs)?;
         let (change, _) = equations.saddle.solve(&[zero; N], &lack);
-        let gain = [gain_q, array(|i| gain_v[i] + change[i])];
-        Some(Grown { regime, later, gain, way: Way::along(&ramp) })
+        // Where the load turns, the slip turns with it: what that adds to its velocity grows like t³.
+        for i in 0..N {
+            let rate = change[i] / later;
+            ramp.middle[i] += number(0.75) * rate;
+            ramp.end[i] += number(3.0) * rate;
+        }
+        Some(Grown { regime, later, gain: ramp.gain(&self.state.v), way: Way::along(&ramp) })
     }
 }

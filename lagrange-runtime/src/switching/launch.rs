@@ -1,7 +1,7 @@
 //! Slips in two directions that begin: which do, and the speed and time with which they go on.
 
 use super::choice::Sizes;
-use super::scene::{Scene, Status, above, entry, extent, most, product, put};
+use super::scene::{Scene, Status, above, entry, extent, most, product, put, rounding};
 use super::turning::{has_pairs, pairs};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
@@ -10,9 +10,9 @@ use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::state::State;
 
-/// The slip at which a slip in two directions begins, in errors of velocities. These turn it by no more than
-/// the inverse of this number.
-const LAUNCHED: f64 = 16.0;
+/// The slip, in errors of velocities, from which on a slip in two directions has a direction: they turn it by
+/// no more than the inverse of this number.
+pub(super) const LAUNCHED: f64 = 16.0;
 
 /// Which slips in two directions begin: the rows of both directions.
 pub(super) struct Begins<const C: usize>([bool; C]);
@@ -131,13 +131,14 @@ where
     /// The smallest slip whose direction the motion knows, where forces can make such accelerations.
     fn least_slip(&self, rows: [usize; 2], strengths: &[S::Scalar; N]) -> S::Scalar {
         let [a, b] = rows.each(|row| entry(&self.speeds, row));
-        let lost = most(a, b) * self.lost;
+        // A slip that begins is exactly zero before. What is left of its direction are roundings alone.
+        let lost = most(a, b) * rounding();
         // In the time that rounding hides, forces change a velocity by this.
         let [a, b] = rows.each(|row| self.extent_of(row, strengths));
-        let hidden = S::Scalar::from_f64(4.0) * S::Scalar::epsilon() * self.state.t.abs() * most(a, b);
+        let hidden =
+            S::Scalar::from_f64(4.0 * LAUNCHED) * S::Scalar::epsilon() * self.state.t.abs() * most(a, b);
         let least = most(lost, hidden);
-        let least = if least.is_positive() { least } else { S::Scalar::epsilon() * self.lost };
-        least * S::Scalar::from_f64(LAUNCHED)
+        if least.is_positive() { least } else { S::Scalar::epsilon() * rounding() }
     }
 
     /// Whether the roundings of velocities leave a slip its direction.

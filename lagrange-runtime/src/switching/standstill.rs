@@ -1,12 +1,14 @@
 //! Where a motion stands still: slips in two directions that come to rest, and rest that lasts.
 
 use super::known::Known;
+use super::launch::LAUNCHED;
 use super::run::Run;
 use super::scene::{Scene, above, entry, most, put};
 use super::turning::{has_pairs, pairs};
 use super::way::{Ramp, Way, shift};
-use super::{Row, Switching};
-use crate::number::elements::array;
+use super::{Regime, Row, Switching};
+use crate::linear::SaddlePoint;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real};
 use crate::system::control::Held;
 use crate::system::error::Cause;
@@ -62,40 +64,8 @@ where
             let known = Known::settled(memory.regime.active);
             let scene =
                 Scene::new(self.system, &memory.end, inputs, memory.regime.kinks, &memory.scales, &known);
-            let Some(equations) = S::equations_in(&memory.in_regime, t, &q, &v, inputs) else { continue };
-            let mut a = equations.balance().accelerations;
-            let mut b = a;
-            let rates = &scene.laws.rows.rates;
-            let (Some(&x), Some(&y)) = (rates.get(row), rates.get(other)) else { continue };
-            let number = S::Scalar::from_f64;
-            let size = x * x + y * y;
-            let falls = |a: &[S::Scalar; N]| -(x * scene.rate(row, a) + y * scene.rate(other, a)) / size;
-            let fall = falls(&a);
-            let mut left = num_traits::Zero::zero();
-            if x == num_traits::Zero::zero() && y == num_traits::Zero::zero() {
-                // The slip is at rest, and has no direction any more.
-                (a, b) = ([num_traits::Zero::zero(); N], [num_traits::Zero::zero(); N]);
-            } else if !fall.is_positive() {
-                continue;
-            } else {
-                left = fall.recip();
-                // The load changes on the way: 1 − fall t + c t² is the slip that is left of it.
-                let middle = number(0.5) * left;
-                let mut half = State { t: t + middle, q, v };
-                shift(&mut half, &a, middle);
-                let equations = S::equations_in(&memory.in_regime, half.t, &half.q, &half.v, inputs);
-                let Some(equations) = equations else { continue };
-                let there = equations.balance().accelerations;
-                let root = fall * (number(4.0) * falls(&there) - number(3.0) * fall);
-                if root.is_positive() {
-                    left = number(2.0) / (fall + root.sqrt());
-                    b = array(|i| a[i] + (there[i] - a[i]) * (left / middle));
-                } else if scene.has_direction([row, other]) {
-                    // It turns before it comes to rest.
-                    continue;
-                }
-            }
-            let ramp = Ramp { start: a, middle: array(|i| number(0.5) * (a[i] + b[i])), end: b, lasts: left };
+            let Some(ramp) = scene.to_rest(&memory.regime, [row, other]) else { continue };
+            let left = ramp.lasts;
             let [gain_q, gain_v] = ramp.gain(&v);
             let mut state =
                 State { t: t + left, q: array(|i| q[i] + gain_q[i]), v: array(|i| v[i] + gain_v[i]) };
@@ -115,6 +85,79 @@ where
             return Ok(());
         }
         Ok(())
+    }
+}
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+{
+    /// The way on which a slow slip in two directions comes to rest. `None` where it does not: a load that
+    /// friction cannot hold turns the slip before, unless it is straight against it, and a load that changes
+    /// may do so as well.
+    fn to_rest(&self, regime: &Regime<S::Scalar, C, W>, rows: [usize; 2]) -> Option<Ramp<S::Scalar, N>> {
+        let number = S::Scalar::from_f64;
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let State { t, q, v } = self.state;
+        let [x, y] = rows.each(|row| entry(&self.laws.rows.rates, row));
+        if x == zero && y == zero {
+            // The slip is at rest, and has no direction any more.
+            let none = [zero; N];
+            return Some(Ramp { start: none, middle: none, end: none, lasts: zero });
+        }
+        let in_regime = self.system.in_regime(regime);
+        let start = S::equations_in(&in_regime, t, &q, &v, self.inputs)?.balance().accelerations;
+        // The part of the slip that is lost per second \[1/s].
+        let falls = |a: &[S::Scalar; N]| {
+            let [along, across] = rows.each(|row| self.rate(row, a));
+            -(x * along + y * across) / (x * x + y * y)
+        };
+        let fall = falls(&start);
+        if !fall.is_positive() {
+            return None;
+        }
+        // Half of the slip is left, in the same direction. What turns it meanwhile is stiff and turns it back.
+        let straight = fall.recip();
+        let after = number(0.5) * straight;
+        let mut half = State { t: t + after, q, v };
+        shift(&mut half, &start, after);
+        let mut held = *regime;
+        for row in rows {
+            put(&mut held.active, row, true);
+            put(&mut held.slip, row, zero);
+        }
+        let held = self.system.in_regime(&held);
+        let stuck = S::equations_in(&held, half.t, &half.q, &half.v, self.inputs)?;
+        let lack = array(|row| {
+            if !rows.contains(&row) {
+                return zero;
+            }
+            number(0.5) * entry(&self.laws.rows.rates, row) - self.rate_at(row, &half.v)
+        });
+        let (change, _) = stuck.saddle.solve(&[zero; N], &lack);
+        half.v = array(|i| half.v[i] + change[i]);
+        let forces = stuck.balance().multipliers;
+        let normal = match S::ROWS.get(rows[0]) {
+            Some(Row::Friction { normal, .. }) => *normal,
+            _ => None,
+        };
+        let [force_x, force_y] = rows.each(|row| entry(&forces, row));
+        let holds = !above(force_x.hypot(force_y), self.limit(rows[0], normal, &forces));
+        let [along, across] = rows.each(|row| self.rate(row, &start));
+        let turns = (x * across - y * along).abs() * straight;
+        let is_straight = !above(S::Scalar::from_f64(LAUNCHED) * turns, x * x + y * y);
+        let equations = S::equations_in(&in_regime, half.t, &half.q, &half.v, self.inputs)?;
+        let there = equations.balance().accelerations;
+        // With forces that change evenly, 1 − fall t + (fall − falls) / straight t² of the slip is left.
+        let root = fall * (number(4.0) * falls(&there) - number(3.0) * fall);
+        if root.is_positive() && (holds || is_straight) {
+            let lasts = number(2.0) / (fall + root.sqrt());
+            let end = array(|i| start[i] + (there[i] - start[i]) * (lasts / after));
+            let middle = array(|i| number(0.5) * (start[i] + end[i]));
+            return Some(Ramp { start, middle, end, lasts });
+        }
+        // A slip without a direction is as good as at rest.
+        (!self.has_direction(rows)).then_some(Ramp { start, middle: start, end: start, lasts: straight })
     }
 }
 
