@@ -1,7 +1,6 @@
 //! Where a motion stands still: slips in two directions that come to rest, and rest that lasts.
 
 use super::known::Known;
-use super::launch::LAUNCHED;
 use super::run::Run;
 use super::scene::{Scene, above, entry, most, put};
 use super::turning::{has_pairs, pairs};
@@ -46,6 +45,15 @@ where
         !above(slip, scales.lost() * size)
     }
 
+    /// The rows of all slips in two directions that have become so small.
+    fn resting(&self, state: &State<S::Scalar, N>) -> [bool; C] {
+        let mut resting = [false; C];
+        for rows in pairs(&S::ROWS).filter(|&[row, other]| self.rests(row, other, state)) {
+            rows.into_iter().for_each(|row| put(&mut resting, row, true));
+        }
+        resting
+    }
+
     /// Ends a slip in two directions that is about to come to rest: its direction turns ever faster there,
     /// and steps, which end before, become shorter and shorter. From within the tolerance the rest is a
     /// straight line.
@@ -64,17 +72,15 @@ where
             let known = Known::settled(memory.regime.active);
             let scene =
                 Scene::new(self.system, &memory.end, inputs, memory.regime.kinks, &memory.scales, &known);
-            let Some(ramp) = scene.to_rest(&memory.regime, [row, other]) else { continue };
+            let slow = self.resting(&memory.end);
+            let Some(ramp) = scene.to_rest(&memory.regime, [row, other], &slow) else { continue };
             let left = ramp.lasts;
             let [gain_q, gain_v] = ramp.gain(&v);
             let mut state =
                 State { t: t + left, q: array(|i| q[i] + gain_q[i]), v: array(|i| v[i] + gain_v[i]) };
             let present = memory.regime;
             // Feet that come to rest together do so up to the tolerance.
-            let mut rested = [false; C];
-            for rows in pairs(&S::ROWS).filter(|&[row, other]| self.rests(row, other, &state)) {
-                rows.into_iter().for_each(|row| put(&mut rested, row, true));
-            }
+            let rested = self.resting(&state);
             let known = Known { fired: Some(row), rested, ..Known::new(present.active) };
             let regime = self.settle(&mut state, present, known, left.part(0) - left)?;
             // If another slip begins at once, that is the way.
@@ -92,10 +98,14 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// The way on which a slow slip in two directions comes to rest. `None` where it does not: a load that
-    /// friction cannot hold turns the slip before, unless it is straight against it, and a load that changes
-    /// may do so as well.
-    fn to_rest(&self, regime: &Regime<S::Scalar, C, W>, rows: [usize; 2]) -> Option<Ramp<S::Scalar, N>> {
+    /// The way on which a slow slip in two directions comes to rest, with all that are as `slow`. `None` where
+    /// it does not: the load may turn it before, or change so that it does not stop.
+    fn to_rest(
+        &self,
+        regime: &Regime<S::Scalar, C, W>,
+        rows: [usize; 2],
+        slow: &[bool; C],
+    ) -> Option<Ramp<S::Scalar, N>> {
         let number = S::Scalar::from_f64;
         let zero: S::Scalar = num_traits::Zero::zero();
         let State { t, q, v } = self.state;
@@ -116,41 +126,38 @@ where
         if !fall.is_positive() {
             return None;
         }
-        // Half of the slip is left, in the same direction. What turns it meanwhile is stiff and turns it back.
         let straight = fall.recip();
+        // A slip across that is within the tolerance is none.
+        let [along, across] = rows.each(|row| self.rate(row, &start));
+        let turned = (x * across - y * along).abs() * straight / x.hypot(y);
+        let [a, b] = rows.each(|row| entry(&self.speeds, row));
+        if above(turned, self.lost * most(a, b)) && self.has_direction(rows) {
+            return None;
+        }
+        // Half of each slip is left, in the same direction. What turns one meanwhile is stiff and turns it back.
         let after = number(0.5) * straight;
         let mut half = State { t: t + after, q, v };
         shift(&mut half, &start, after);
         let mut held = *regime;
-        for row in rows {
+        for (row, _) in slow.iter().enumerate().filter(|(_, slow)| **slow) {
             put(&mut held.active, row, true);
             put(&mut held.slip, row, zero);
         }
         let held = self.system.in_regime(&held);
         let stuck = S::equations_in(&held, half.t, &half.q, &half.v, self.inputs)?;
         let lack = array(|row| {
-            if !rows.contains(&row) {
+            if slow.get(row) != Some(&true) {
                 return zero;
             }
             number(0.5) * entry(&self.laws.rows.rates, row) - self.rate_at(row, &half.v)
         });
         let (change, _) = stuck.saddle.solve(&[zero; N], &lack);
         half.v = array(|i| half.v[i] + change[i]);
-        let forces = stuck.balance().multipliers;
-        let normal = match S::ROWS.get(rows[0]) {
-            Some(Row::Friction { normal, .. }) => *normal,
-            _ => None,
-        };
-        let [force_x, force_y] = rows.each(|row| entry(&forces, row));
-        let holds = !above(force_x.hypot(force_y), self.limit(rows[0], normal, &forces));
-        let [along, across] = rows.each(|row| self.rate(row, &start));
-        let turns = (x * across - y * along).abs() * straight;
-        let is_straight = !above(S::Scalar::from_f64(LAUNCHED) * turns, x * x + y * y);
         let equations = S::equations_in(&in_regime, half.t, &half.q, &half.v, self.inputs)?;
         let there = equations.balance().accelerations;
         // With forces that change evenly, 1 − fall t + (fall − falls) / straight t² of the slip is left.
         let root = fall * (number(4.0) * falls(&there) - number(3.0) * fall);
-        if root.is_positive() && (holds || is_straight) {
+        if root.is_positive() {
             let lasts = number(2.0) / (fall + root.sqrt());
             let end = array(|i| start[i] + (there[i] - start[i]) * (lasts / after));
             let middle = array(|i| number(0.5) * (start[i] + end[i]));
