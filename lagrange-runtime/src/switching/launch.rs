@@ -138,7 +138,12 @@ where
         let hidden =
             S::Scalar::from_f64(4.0 * LAUNCHED) * S::Scalar::epsilon() * self.state.t.abs() * most(a, b);
         let least = most(lost, hidden);
-        if least.is_positive() { least } else { S::Scalar::epsilon() * rounding() }
+        // From rest nothing else is there that rounding could come from.
+        if least.is_positive() {
+            least
+        } else {
+            S::Scalar::from_f64(LAUNCHED) * S::Scalar::epsilon() * self.lost
+        }
     }
 
     /// Whether the roundings of velocities leave a slip its direction.

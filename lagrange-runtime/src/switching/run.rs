@@ -2,7 +2,7 @@
 
 use super::guards::Guard;
 use super::hybrid::{Memory, sum};
-use super::kinks::jumped;
+use super::kinks::{followed, jumped};
 use super::known::Known;
 use super::place::Event;
 use super::scene::{Scene, above, most};
@@ -320,6 +320,8 @@ where
                 for (kink, _) in event.crossed.iter().enumerate().filter(|(_, is_crossed)| **is_crossed) {
                     self.cross(kink, &mut present.kinks, &state)?;
                 }
+                let (before, inputs) = (&self.memory.regime.kinks, &self.control.0);
+                present.kinks = followed(self.system, &state, inputs, before, &present.kinks);
             }
             Guard::Row(row) => {
                 if memory.changes > CHANGES * (C + W) {

@@ -17,7 +17,9 @@ pub(super) struct Load<R, const N: usize, const C: usize> {
     pub(super) accelerations: [R; N],
     /// The accelerations of slips that begin.
     pub(super) rates: [R; C],
-    /// The same, for each slip, as a part of what the forces could give it: now and then.
+    /// What forces could give each slip \[slip/s].
+    pub(super) sizes: [R; C],
+    /// The accelerations of each slip as parts of that: now and then.
     parts: [[R; C]; 2],
 }
 
@@ -82,15 +84,17 @@ where
         if there.regime != regime {
             return Err(Not::Alone(there.regime));
         }
-        let (mut parts, mut rates) = ([[zero; C]; 2], [zero; C]);
+        let (mut parts, mut rates, mut sizes) = ([[zero; C]; 2], [zero; C], [zero; C]);
         for rows in begins.slips(&S::ROWS) {
             put(&mut parts[0], rows[0], self.driven_part(rows, a, &there.sizes));
             put(&mut parts[1], rows[0], scene.driven_part(rows, &there.accelerations, &there.sizes));
+            let [a, b] = rows.each(|row| scene.extent_of(row, &there.sizes.accelerations));
+            put(&mut sizes, rows[0], most(a, b));
             for row in rows {
                 put(&mut rates, row, scene.rate(row, &there.accelerations));
             }
         }
-        Ok(Load { later, accelerations: there.accelerations, rates, parts })
+        Ok(Load { later, accelerations: there.accelerations, rates, sizes, parts })
     }
 
     /// The acceleration of a slip, as a part of what the forces could give it.
