@@ -151,7 +151,7 @@ where
             let before = state.q;
             in_regime.project_at(&in_regime.constants(), state, None)?;
             scene.part(&choice.regime, state);
-            first.still(&mut state.v, &choice.regime.active);
+            state.v = first.stilled(&state.v, &choice.regime);
             first.place(&before, state, &choice.regime, scales);
             if const { has_pairs(&S::ROWS) } && state.t != begin.t {
                 self.memory.way.join(&begin, state);

@@ -98,6 +98,26 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
+    /// The velocities without those that contacts and friction have stopped. All are kept if a slip in two
+    /// directions would lose its own.
+    pub(super) fn stilled(&self, v: &[S::Scalar; N], regime: &Regime<S::Scalar, C, W>) -> [S::Scalar; N] {
+        let mut stilled = *v;
+        self.still(&mut stilled, &regime.active);
+        let slip = |rows: [usize; 2], v: &[S::Scalar; N]| {
+            let [x, y] = rows.each(|row| self.rate_at(row, v));
+            x.hypot(y)
+        };
+        let is_lost = |rows: [usize; 2]| {
+            let slips = entry(&regime.slip, rows[0]) != num_traits::Zero::zero();
+            slips && !above(slip(rows, &stilled), S::Scalar::from_f64(0.5) * slip(rows, v))
+        };
+        if const { has_pairs(&S::ROWS) } && stilled != *v && pairs(&S::ROWS).any(is_lost) {
+            *v
+        } else {
+            stilled
+        }
+    }
+
     /// The way on which a slow slip in two directions comes to rest, with all that are as `slow`. `None` where
     /// it does not: the load may turn it before, or change so that it does not stop.
     fn to_rest(
