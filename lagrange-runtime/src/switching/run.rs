@@ -60,9 +60,8 @@ where
         memory.is_way = false;
     }
 
-    /// The regime and the state that follow a state: after its impact, projected onto the regime, and moved
-    /// by the delay of the time that is rounded. If a slip in two directions begins, the state may be a
-    /// little later yet.
+    /// The regime and the state that follow a state: after its impact, projected onto the regime, moved by the
+    /// delay of the time that is rounded, and a little later yet if a slip in two directions begins.
     pub(super) fn settle(
         &mut self,
         state: &mut State<S::Scalar, N>,
@@ -94,8 +93,7 @@ where
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &later;
             }
-            // A body that begins or lands rests on all its feet: each contact that touches is closed, even if
-            // it bears nothing.
+            // A body that begins or lands rests on all its feet, even on those that bear nothing.
             let lands = self.memory.is_fresh || known.settled;
             let from = if lands { scene.touching(&present) } else { present };
             let sharing = known.fired.and_then(|row| scene.sharing(&from, row));
@@ -151,7 +149,8 @@ where
             let before = state.q;
             in_regime.project_at(&in_regime.constants(), state, None)?;
             scene.part(&choice.regime, state);
-            state.v = first.stilled(&state.v, &choice.regime);
+            first.still(&mut state.v, &choice.regime.active);
+            first.hold_lost(&choice.velocities, &state.v, &mut choice.regime);
             first.place(&before, state, &choice.regime, scales);
             if const { has_pairs(&S::ROWS) } && state.t != begin.t {
                 self.memory.way.join(&begin, state);
@@ -250,7 +249,7 @@ where
                 if C > 0 {
                     let laws = self.system.laws_at(end.t, &end.q, &end.v, &self.control.0);
                     self.memory.scales.see(&laws);
-                    // No step ends behind a contact that is open, even if a polynomial has missed it.
+                    // No step ends behind an open contact, even if a polynomial has missed it.
                     if let Some(cause) = self.missed(&laws) {
                         self.memory.end = start;
                         self.memory.stuck = Some(cause);
@@ -320,8 +319,8 @@ where
                 for (kink, _) in event.crossed.iter().enumerate().filter(|(_, is_crossed)| **is_crossed) {
                     self.cross(kink, &mut present.kinks, &state)?;
                 }
-                let (before, inputs) = (&self.memory.regime.kinks, &self.control.0);
-                present.kinks = followed(self.system, &state, inputs, before, &present.kinks);
+                let before = &self.memory.regime.kinks;
+                present.kinks = followed(self.system, &state, &self.control.0, before, &present.kinks);
             }
             Guard::Row(row) => {
                 if memory.changes > CHANGES * (C + W) {

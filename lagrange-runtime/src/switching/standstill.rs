@@ -98,23 +98,29 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// The velocities without those that contacts and friction have stopped. All are kept if a slip in two
-    /// directions would lose its own.
-    pub(super) fn stilled(&self, v: &[S::Scalar; N], regime: &Regime<S::Scalar, C, W>) -> [S::Scalar; N] {
-        let mut stilled = *v;
-        self.still(&mut stilled, &regime.active);
-        let slip = |rows: [usize; 2], v: &[S::Scalar; N]| {
-            let [x, y] = rows.each(|row| self.rate_at(row, v));
-            x.hypot(y)
-        };
-        let is_lost = |rows: [usize; 2]| {
-            let slips = entry(&regime.slip, rows[0]) != num_traits::Zero::zero();
-            slips && !above(slip(rows, &stilled), S::Scalar::from_f64(0.5) * slip(rows, v))
-        };
-        if const { has_pairs(&S::ROWS) } && stilled != *v && pairs(&S::ROWS).any(is_lost) {
-            *v
-        } else {
-            stilled
+    /// Holds the slips in two directions of a regime of which nothing is left `after` the velocities have been
+    /// brought into it: other rows that hold leave no slip there, or it was rounding errors. Such a slip has
+    /// no direction.
+    pub(super) fn hold_lost(
+        &self,
+        before: &[S::Scalar; N],
+        after: &[S::Scalar; N],
+        regime: &mut Regime<S::Scalar, C, W>,
+    ) {
+        if const { !has_pairs(&S::ROWS) } {
+            return;
+        }
+        let zero: S::Scalar = num_traits::Zero::zero();
+        for rows in pairs(&S::ROWS) {
+            let slip = |v: &[S::Scalar; N]| {
+                let [x, y] = rows.each(|row| self.rate_at(row, v));
+                x.hypot(y)
+            };
+            let slips = entry(&regime.slip, rows[0]) != zero;
+            if slips && !above(slip(after), S::Scalar::epsilon().sqrt() * slip(before)) {
+                put(&mut regime.slip, rows[0], zero);
+                rows.into_iter().for_each(|row| put(&mut regime.active, row, true));
+            }
         }
     }
 
