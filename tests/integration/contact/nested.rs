@@ -93,3 +93,175 @@ fn a_gap_with_a_tip_on_the_way() {
         close_on(1.0, value, expected, 1e-12);
     }
 }
+
+/// A force by the number of a mode, which the speed switches.
+struct Modes {
+    threshold: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Modes {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.x * v.x
+    }
+
+    #[force(on = x)]
+    fn drive(&self, q: &Coordinates, v: &Velocities) -> f64 {
+        let mode = if v.x > self.threshold { 2.0 } else { 0.0 };
+        let force = if mode > 1.5 {
+            0.3
+        } else if mode > 0.5 {
+            0.5
+        } else {
+            0.2 * q.x
+        };
+        force - q.x
+    }
+}
+
+/// The same force, written out.
+struct Written {
+    threshold: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Written {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.x * v.x
+    }
+
+    #[force(on = x)]
+    fn drive(&self, q: &Coordinates, v: &Velocities) -> f64 {
+        if v.x > self.threshold { 0.3 - q.x } else { -0.8 * q.x }
+    }
+}
+
+/// Behind a switch all that contains it leaps at once: no regime comes between that is none of the model.
+#[test]
+fn modes_that_a_switch_numbers_change_with_it() {
+    for step in 0..200 {
+        let part = |k: f64| (k * f64::from(step) * 0.618).fract();
+        let threshold = 0.6 * part(1.0) - 0.3;
+        let start = State::new([2.0 * part(2.0) - 1.0], [2.0 * part(3.0) - 1.0]);
+        let (modes, written) = (Modes { threshold }, Written { threshold });
+        match (modes.simulate(start).advance_to(3.0), written.simulate(start).advance_to(3.0)) {
+            (Ok(found), Ok(wanted)) => {
+                close_on(1.0, found.q[0], wanted.q[0], 1e-9);
+                close_on(1.0, found.v[0], wanted.v[0], 1e-9);
+            }
+            (Err(found), Err(wanted)) => {
+                // Both are held at the threshold.
+                close_on(1.0, found.t, wanted.t, 1e-9);
+            }
+            (found, wanted) => panic!("{found:?} {wanted:?}"),
+        }
+        let (mut modes, mut written) = (modes.stepper::<Jet<8>>(start), written.stepper::<Jet<8>>(start));
+        for _ in 0..100 {
+            let (Ok(found), Ok(wanted)) = (modes.step(0.01, &[]), written.step(0.01, &[])) else { break };
+            close_on(1.0, found.v[0], wanted.v[0], 1e-9);
+        }
+    }
+}
+
+/// The magnitude of a force that a speed switches over.
+struct Switched;
+
+#[lagrangian(coordinates = [x])]
+impl Switched {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.x * v.x
+    }
+
+    #[force(on = x)]
+    fn drive(&self, v: &Velocities) -> f64 {
+        (if v.x > 0.7 { -3.0_f64 } else { 1.0 }).abs()
+    }
+}
+
+#[test]
+fn a_motion_is_not_held_where_its_force_leaps_over_zero() {
+    let end = *Switched.simulate(State::new([0.0], [0.1])).advance_to(2.0).unwrap();
+    close_on(1.0, end.q[0], 4.16, 1e-13);
+    close_on(1.0, end.v[0], 4.9, 1e-13);
+}
+
+/// A controller with a limit whose reference steps at a time.
+struct Stepped {
+    steps: f64,
+}
+
+#[lagrangian(coordinates = [x], sensitivities = [self.steps])]
+impl Stepped {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.x * v.x
+    }
+
+    #[force(on = x)]
+    fn control(&self, q: &Coordinates, v: &Velocities, t: f64) -> f64 {
+        let reference = if t > self.steps { 1.0 } else { -1.0 };
+        (4.0 * (reference - q.x) - 3.0 * v.x).clamp(-2.0, 2.0)
+    }
+}
+
+/// The same, limited in each branch.
+struct Branched {
+    steps: f64,
+}
+
+#[lagrangian(coordinates = [x], sensitivities = [self.steps])]
+impl Branched {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.x * v.x
+    }
+
+    #[force(on = x)]
+    fn control(&self, q: &Coordinates, v: &Velocities, t: f64) -> f64 {
+        if t > self.steps {
+            (4.0 * (1.0 - q.x) - 3.0 * v.x).clamp(-2.0, 2.0)
+        } else {
+            (4.0 * (-1.0 - q.x) - 3.0 * v.x).clamp(-2.0, 2.0)
+        }
+    }
+}
+
+#[test]
+fn derivatives_go_through_a_limit_whose_argument_leaps() {
+    for (steps, end) in [(0.7, 0.9), (0.7, 1.7), (1.3, 1.5), (1.3, 2.3), (2.0, 3.0)] {
+        let start = State::new([-0.6], [0.2]);
+        let (stepped, branched) = (Stepped { steps }, Branched { steps });
+        let (stepped, branched) = (stepped.variational(), branched.variational());
+        let (mut stepped, mut branched) =
+            (stepped.motion(start).unwrap(), branched.motion(start).unwrap());
+        let (found, wanted) = (stepped.advance_to(end).unwrap(), branched.advance_to(end).unwrap());
+        for (found, wanted) in [
+            (found.q_by_q[(0, 0)], wanted.q_by_q[(0, 0)]),
+            (found.q_by_v[(0, 0)], wanted.q_by_v[(0, 0)]),
+            (found.q_by_p[(0, 0)], wanted.q_by_p[(0, 0)]),
+            (found.v_by_p[(0, 0)], wanted.v_by_p[(0, 0)]),
+        ] {
+            close_on(1.0, found, wanted, 1e-9);
+        }
+    }
+}
+
+#[test]
+fn a_motion_goes_back_and_on_again_through_limits_that_leap() {
+    for step in 0..100 {
+        let part = |k: f64| (k * f64::from(step) * 0.618).fract();
+        let system = Stepped { steps: 0.3 + 2.0 * part(1.0) };
+        let start = State::new([2.0 * part(2.0) - 1.0], [2.0 * part(3.0) - 1.0]);
+        let mut motion = system.simulate(start);
+        let there = *motion.advance_to(3.0).unwrap();
+        let back = *motion.advance_to(0.0).unwrap();
+        let again = *motion.advance_to(3.0).unwrap();
+        // The controller damps, so errors grow on the way back.
+        close_on(1.0, back.q[0], start.q[0], 1e-7);
+        close_on(1.0, again.q[0], there.q[0], 1e-7);
+        close_on(1.0, again.v[0], there.v[0], 1e-7);
+    }
+}
