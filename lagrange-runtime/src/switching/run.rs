@@ -129,8 +129,7 @@ where
                 *seen = most(*seen, now.abs());
             }
             self.memory.way = Way::with(choice.accelerations);
-            // The time of a state is a number alone: its variation is in `late`.
-            state.t = state.t.part(0);
+            state.t = state.t.part(0); // Its variation is in `late`.
             let mut begin = *state;
             shift(&mut begin, &choice.accelerations, late);
             if let Some(grown) = grown.or_else(|| scene.grown(&choice, scales)) {
@@ -149,8 +148,8 @@ where
             let before = state.q;
             in_regime.project_at(&in_regime.constants(), state, None)?;
             scene.part(&choice.regime, state);
-            first.still(&mut state.v, &choice.regime.active);
             first.hold_lost(&choice.velocities, &state.v, &mut choice.regime);
+            first.still(&mut state.v, &choice.regime);
             first.place(&before, state, &choice.regime, scales);
             if const { has_pairs(&S::ROWS) } && state.t != begin.t {
                 self.memory.way.join(&begin, state);

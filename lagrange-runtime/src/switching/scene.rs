@@ -281,15 +281,21 @@ where
     ///
     /// A row that holds goes on holding: it loses all velocities that it couples, or those alone that are
     /// rounding errors of the others.
-    pub(super) fn still(&self, v: &mut [S::Scalar; N], holds: &[bool; C]) {
+    /// A slip in two directions has a direction as long as it has digits of its own.
+    pub(super) fn still(&self, v: &mut [S::Scalar; N], regime: &Regime<S::Scalar, C, W>) {
         let zero: S::Scalar = num_traits::Zero::zero();
+        let slips: [bool; C] = array(|row| match S::ROWS[row] {
+            Row::Friction { pair: Some(other), .. } => entry(&regime.slip, row.min(other)) != zero,
+            _ => false,
+        });
+        let holds: [bool; C] = array(|row| regime.active[row] || slips[row]);
         let fastest = self.units.iter().zip(&self.state.v).fold(zero, |fastest, (&unit, &v)| {
             if unit.is_positive() { most(fastest, v.abs() / unit) } else { fastest }
         });
         let ulps = S::Scalar::from_f64(8.0) * S::Scalar::epsilon();
         let now = *v;
         let lever = |row: usize| self.extent_of(row, &self.units);
-        // The gradient of a row that holds, without entries that are rounding errors.
+        // The gradient of a row that holds or slips, without entries that are rounding errors.
         let part = |row: usize, i: usize| match self.gradients.get(row) {
             Some(own) if holds.get(row) == Some(&true) => {
                 let (own, unit) = (entry(own, i), entry(&self.units, i));
@@ -311,7 +317,7 @@ where
                 let speed = entry(&now, i).abs() * lever(row);
                 part(row, i) == zero || !above(speed, ulps * size * entry(&self.units, i))
             };
-            !above(moving.abs(), ulps * size) && (0..N).all(is_slow)
+            !slips[row] && !above(moving.abs(), ulps * size) && (0..N).all(is_slow)
         });
         // A row that shares a velocity with one that moves has not stopped either.
         for _ in 0..C {

@@ -2,6 +2,7 @@
 
 mod balls;
 mod bearings;
+mod belts;
 mod bounces;
 mod breakaway;
 mod changing_coefficients;

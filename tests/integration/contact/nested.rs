@@ -235,8 +235,7 @@ fn derivatives_go_through_a_limit_whose_argument_leaps() {
         let start = State::new([-0.6], [0.2]);
         let (stepped, branched) = (Stepped { steps }, Branched { steps });
         let (stepped, branched) = (stepped.variational(), branched.variational());
-        let (mut stepped, mut branched) =
-            (stepped.motion(start).unwrap(), branched.motion(start).unwrap());
+        let (mut stepped, mut branched) = (stepped.motion(start).unwrap(), branched.motion(start).unwrap());
         let (found, wanted) = (stepped.advance_to(end).unwrap(), branched.advance_to(end).unwrap());
         for (found, wanted) in [
             (found.q_by_q[(0, 0)], wanted.q_by_q[(0, 0)]),
