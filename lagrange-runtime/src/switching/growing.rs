@@ -108,11 +108,30 @@ where
         choice: &Choice<S::Scalar, N, C, W>,
         scales: &Scales<S::Scalar, C>,
     ) -> Option<Grown<S::Scalar, N, C, W>> {
-        let later = choice.later.part(0);
-        if !later.is_positive() {
-            return None;
+        let number = S::Scalar::from_f64;
+        let mut later: S::Scalar = num_traits::Zero::zero();
+        for rows in self.beginning(&choice.regime).slips(&S::ROWS) {
+            let [x, y] = rows.each(|row| self.rate_at(row, &choice.velocities).part(0));
+            let [turn_x, turn_y] = rows.each(|row| self.rate(row, &choice.accelerations).part(0));
+            let speed = turn_x.hypot(turn_y);
+            let time = number(LAUNCHED) * x.hypot(y) / speed;
+            // The time scale of the motion as a whole is its speed over its acceleration.
+            let [a, b] = rows.each(|row| self.extent_of(row, &choice.sizes.accelerations).part(0));
+            let [own, other] = rows.each(|row| entry(&self.speeds, row).part(0));
+            let (strength, whole) = (most(a, b), most(own, other));
+            let longest = whole * speed / (strength * strength);
+            let is_longer = whole.is_positive() && above(time, longest);
+            later = most(later, if is_longer { longest } else { time });
         }
-        self.grown_by(choice.regime, &choice.accelerations, scales, later).ok()
+        // A load that does not last so long makes a slower slip, down to one that roundings leave a direction.
+        let mut slip = number(LAUNCHED) * self.lost.part(0);
+        while later.is_finite() && later.is_positive() && !above(rounding(), slip) {
+            if let Ok(grown) = self.grown_by(choice.regime, &choice.accelerations, scales, later) {
+                return Some(grown);
+            }
+            (later, slip) = (later * number(1.0 / FACTOR), slip * number(1.0 / FACTOR));
+        }
+        None
     }
 
     /// The same where feet have stuck that shared a load. Where the last possible shares are hard to find,

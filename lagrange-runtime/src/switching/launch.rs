@@ -1,7 +1,7 @@
 //! Slips in two directions that begin: which do, and the speed and time with which they go on.
 
 use super::choice::Sizes;
-use super::scene::{Scene, Status, above, entry, extent, most, product, put, rounding};
+use super::scene::{Scene, Status, above, entry, extent, most, product, put};
 use super::turning::{has_pairs, pairs};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
@@ -131,19 +131,13 @@ where
     /// The smallest slip whose direction the motion knows, where forces can make such accelerations.
     fn least_slip(&self, rows: [usize; 2], strengths: &[S::Scalar; N]) -> S::Scalar {
         let [a, b] = rows.each(|row| entry(&self.speeds, row));
-        // A slip that begins is exactly zero before. What is left of its direction are roundings alone.
-        let lost = most(a, b) * rounding();
+        let lost = most(a, b) * self.lost;
         // In the time that rounding hides, forces change a velocity by this.
         let [a, b] = rows.each(|row| self.extent_of(row, strengths));
-        let hidden =
-            S::Scalar::from_f64(4.0 * LAUNCHED) * S::Scalar::epsilon() * self.state.t.abs() * most(a, b);
+        let ulps = S::Scalar::from_f64(LAUNCHED) * S::Scalar::epsilon();
+        let hidden = S::Scalar::from_f64(4.0) * ulps * self.state.t.abs() * most(a, b);
         let least = most(lost, hidden);
-        // From rest nothing else is there that rounding could come from.
-        if least.is_positive() {
-            least
-        } else {
-            S::Scalar::from_f64(LAUNCHED) * S::Scalar::epsilon() * self.lost
-        }
+        if least.is_positive() { least } else { ulps * self.lost }
     }
 
     /// Whether the roundings of velocities leave a slip its direction.

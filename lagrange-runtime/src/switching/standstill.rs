@@ -1,6 +1,7 @@
 //! Where a motion stands still: slips in two directions that come to rest, and rest that lasts.
 
 use super::known::Known;
+use super::launch::LAUNCHED;
 use super::run::Run;
 use super::scene::{Scene, above, entry, most, put};
 use super::turning::{has_pairs, pairs};
@@ -73,7 +74,9 @@ where
             let scene =
                 Scene::new(self.system, &memory.end, inputs, memory.regime.kinks, &memory.scales, &known);
             let slow = self.resting(&memory.end);
-            let Some(ramp) = scene.to_rest(&memory.regime, [row, other], &slow) else { continue };
+            let Some((ramp, is_straight)) = scene.to_rest(&memory.regime, [row, other], &slow) else {
+                continue;
+            };
             let left = ramp.lasts;
             let [gain_q, gain_v] = ramp.gain(&v);
             let mut state =
@@ -82,7 +85,15 @@ where
             // Feet that come to rest together do so up to the tolerance.
             let rested = self.resting(&state);
             let known = Known { fired: Some(row), rested, ..Known::new(present.active) };
+            let memory = &*self.memory;
+            let before = (memory.way, memory.landed, memory.switched, memory.impulses);
             let regime = self.settle(&mut state, present, known, left.part(0) - left)?;
+            // A load that friction cannot hold turns the slip before it stops.
+            if regime.slip[row] != num_traits::Zero::zero() && !is_straight {
+                let memory = &mut *self.memory;
+                (memory.way, memory.landed, memory.switched, memory.impulses) = before;
+                continue;
+            }
             // If another slip begins at once, that is the way.
             if state.t == t + left.part(0) {
                 self.memory.way = Way::along(&ramp);
@@ -124,14 +135,15 @@ where
         }
     }
 
-    /// The way on which a slow slip in two directions comes to rest, with all that are as `slow`. `None` where
-    /// it does not: the load may turn it before, or change so that it does not stop.
+    /// The way on which a slow slip in two directions comes to rest, with all that are as `slow`, and whether
+    /// it leads straight to rest or has no direction. `None` where the load turns the slip before, or changes
+    /// so that it does not stop.
     fn to_rest(
         &self,
         regime: &Regime<S::Scalar, C, W>,
         rows: [usize; 2],
         slow: &[bool; C],
-    ) -> Option<Ramp<S::Scalar, N>> {
+    ) -> Option<(Ramp<S::Scalar, N>, bool)> {
         let number = S::Scalar::from_f64;
         let zero: S::Scalar = num_traits::Zero::zero();
         let State { t, q, v } = self.state;
@@ -139,7 +151,7 @@ where
         if x == zero && y == zero {
             // The slip is at rest, and has no direction any more.
             let none = [zero; N];
-            return Some(Ramp { start: none, middle: none, end: none, lasts: zero });
+            return Some((Ramp { start: none, middle: none, end: none, lasts: zero }, true));
         }
         let in_regime = self.system.in_regime(regime);
         let start = S::equations_in(&in_regime, t, &q, &v, self.inputs)?.balance().accelerations;
@@ -157,9 +169,11 @@ where
         let [along, across] = rows.each(|row| self.rate(row, &start));
         let turned = (x * across - y * along).abs() * straight / x.hypot(y);
         let [a, b] = rows.each(|row| entry(&self.speeds, row));
-        if above(turned, self.lost * most(a, b)) && self.has_direction(rows) {
+        let has_direction = self.has_direction(rows);
+        if above(turned, self.lost * most(a, b)) && has_direction {
             return None;
         }
+        let is_straight = !has_direction || !above(number(LAUNCHED) * turned, x.hypot(y));
         // Half of each slip is left, in the same direction. What turns one meanwhile is stiff and turns it back.
         let after = number(0.5) * straight;
         let mut half = State { t: t + after, q, v };
@@ -187,10 +201,10 @@ where
             let lasts = number(2.0) / (fall + root.sqrt());
             let end = array(|i| start[i] + (there[i] - start[i]) * (lasts / after));
             let middle = array(|i| number(0.5) * (start[i] + end[i]));
-            return Some(Ramp { start, middle, end, lasts });
+            return Some((Ramp { start, middle, end, lasts }, is_straight));
         }
         // A slip without a direction is as good as at rest.
-        (!self.has_direction(rows)).then_some(Ramp { start, middle: start, end: start, lasts: straight })
+        (!has_direction).then_some((Ramp { start, middle: start, end: start, lasts: straight }, true))
     }
 }
 
