@@ -126,8 +126,10 @@ where
         // A load that does not last so long makes a slower slip, down to one that roundings leave a direction.
         let mut slip = number(LAUNCHED) * self.lost.part(0);
         while later.is_finite() && later.is_positive() && !above(rounding(), slip) {
-            if let Ok(grown) = self.grown_by(choice.regime, &choice.accelerations, scales, later) {
-                return Some(grown);
+            match self.grown_by(choice.regime, &choice.accelerations, scales, later) {
+                Ok(grown) => return Some(grown),
+                Err(Not::Strays) => return None,
+                Err(_) => {}
             }
             (later, slip) = (later * number(1.0 / FACTOR), slip * number(1.0 / FACTOR));
         }
@@ -165,7 +167,7 @@ where
         for _ in 0..=C {
             match self.grown_in(regime, &choice.accelerations, scales, is_shared) {
                 Ok(found) => return Ok(found),
-                Err(Not::Grown) => break,
+                Err(Not::Grown | Not::Strays) => break,
                 // The same load soon drives others, too.
                 Err(Not::Alone(other)) => regime = other,
             }
@@ -274,8 +276,8 @@ where
         for _ in 0..TRIES {
             match self.load_at(regime, a, scales, later) {
                 Ok(load) => last = Some(load),
-                Err(Not::Grown) => {}
                 Err(Not::Alone(_)) => break,
+                Err(_) => {}
             }
             later *= S::Scalar::from_f64(2.0);
         }
@@ -300,7 +302,7 @@ where
         later: S::Scalar,
     ) -> Result<Grown<S::Scalar, N, C, W>, Not<S::Scalar, C, W>> {
         let number = S::Scalar::from_f64;
-        let mut later = later;
+        let (mut later, mut largest) = (later, number(f64::INFINITY));
         for _ in 0..TRIES {
             let end = self.load_at(regime, a, scales, later)?;
             let middle = self.load_at(regime, a, scales, number(0.5) * later)?;
@@ -315,7 +317,12 @@ where
             if !above(strays.error, number(1.0)) || !is_fast {
                 return Ok(grown);
             }
-            later *= most(factor, number(1.0 / FACTOR));
+            // An error that falls no faster than the slip is none of the time.
+            if above(strays.error, largest) {
+                return Err(Not::Strays);
+            }
+            let factor = most(factor, number(1.0 / FACTOR));
+            (later, largest) = (later * factor, strays.error * factor * factor);
         }
         Err(Not::Grown)
     }

@@ -44,6 +44,8 @@ impl<R: Real, const N: usize, const C: usize> Load<R, N, C> {
 pub(super) enum Not<R, const C: usize, const W: usize> {
     /// The load has not grown beyond what friction holds, or not evenly, or no motion is found.
     Grown,
+    /// The motion obeys the equations no better in a shorter time.
+    Strays,
     /// Another regime has begun meanwhile.
     Alone(Regime<R, C, W>),
 }
