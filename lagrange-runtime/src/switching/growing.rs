@@ -87,8 +87,9 @@ where
             return None;
         }
         let begins = self.beginning(&choice.regime);
-        // Until a slip that is hardly driven here is fast enough, its load decides about it.
-        let changed = self.growth();
+        // The time of a switch has errors, as velocities have. Whether a slip is driven that is hardly driven
+        // here shows by how it grows.
+        let changed = self.lost.part(0).sqrt();
         let is_driven =
             |rows: [usize; 2]| above(self.driven_part(rows, &choice.accelerations, &choice.sizes), changed);
         if begins.slips(&S::ROWS).all(is_driven) {
