@@ -10,11 +10,11 @@
 //! motion from there until T takes a few times T/τ steps.
 
 mod load;
+mod strays;
 
 use load::{Load, Not};
 
 use super::choice::Choice;
-use super::known::Known;
 use super::launch::LAUNCHED;
 use super::scene::{Scales, Scene, above, entry, most, put, rounding};
 use super::sided::laws_on;
@@ -56,14 +56,6 @@ impl<R: Real, const N: usize, const C: usize, const W: usize> Grown<R, N, C, W> 
         state.v = array(|i| state.v[i] + gain_v[i]);
         shift(state, &self.way.accelerations, late);
     }
-}
-
-/// How far a motion has strayed from the equations.
-struct Strays<R> {
-    /// The error of a slip, in tolerances.
-    error: R,
-    /// The slowest slip, as a part of what it needs to have a direction.
-    known: R,
 }
 
 /// The same, and the time at which slips begin \[s].
@@ -328,42 +320,6 @@ where
         Err(Not::Grown)
     }
 
-    /// How well the end of a motion obeys the equations, in which the slips are those that it has.
-    fn strays(
-        &self,
-        grown: &Grown<S::Scalar, N, C, W>,
-        end: &Load<S::Scalar, N, C>,
-        scales: &Scales<S::Scalar, C>,
-    ) -> Option<Strays<S::Scalar>> {
-        let number = S::Scalar::from_f64;
-        let zero: S::Scalar = num_traits::Zero::zero();
-        let mut state = self.state;
-        grown.take_on(&mut state, zero);
-        let in_regime = self.system.in_regime(&grown.regime);
-        let equations = S::equations_in(&in_regime, state.t, &state.q, &state.v, self.inputs)?;
-        let found = equations.balance().accelerations;
-        let known = Known::settled(self.is_closed);
-        let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
-        let mut strays = Strays { error: zero, known: number(f64::INFINITY) };
-        for rows in self.beginning(&grown.regime).slips(&S::ROWS) {
-            let [x, y] = rows.each(|row| entry(&scene.laws.rows.rates, row));
-            let slip = x.hypot(y);
-            let along = |rate: &dyn Fn(usize) -> S::Scalar| (x * rate(rows[0]) + y * rate(rows[1])) / slip;
-            let lacks = along(&|row| scene.rate(row, &found)) - along(&|row| entry(&end.rates, row));
-            let [a, b] = rows.each(|row| entry(&scene.speeds, row));
-            let speed = most(a, b);
-            let ulps = number(LAUNCHED) * S::Scalar::epsilon();
-            // Roundings of the accelerations are no error that a shorter time could mend. What grows like t³ is
-            // a quarter of its end in the mean.
-            let lacks = most(lacks.abs() - rounding::<S::Scalar>() * entry(&end.sizes, rows[0]), zero);
-            let error = number(0.25) * grown.later * lacks;
-            strays.error = most(strays.error, error / (most(scales.relative, ulps) * speed));
-            let known = slip / (number(LAUNCHED) * ulps * speed);
-            strays.known = if above(strays.known, known) { known } else { strays.known };
-        }
-        strays.error.is_finite().then_some(strays)
-    }
-
     /// The motion until the end of a time, with the accelerations `a` now and loads in its middle and at its
     /// end.
     fn taken_on(
@@ -403,10 +359,10 @@ where
         let equations = S::equations_in(&in_regime, t, &q, &v, self.inputs)?;
         let (change, _) = equations.saddle.solve(&[zero; N], &lack);
         // Where the load turns, the slip turns with it: what that adds to its velocity grows like t³.
-        for i in 0..N {
-            let rate = change[i] / later;
-            ramp.middle[i] += number(0.75) * rate;
-            ramp.end[i] += number(3.0) * rate;
+        for ((middle, end), &change) in ramp.middle.iter_mut().zip(&mut ramp.end).zip(&change) {
+            let rate = change / later;
+            *middle += number(0.75) * rate;
+            *end += number(3.0) * rate;
         }
         Some(Grown { regime, later, gain: ramp.gain(&self.state.v), way: Way::along(&ramp) })
     }

@@ -1,0 +1,60 @@
+//! The check of the end of a motion on which slips have begun.
+
+use super::super::Switching;
+use super::super::known::Known;
+use super::super::launch::LAUNCHED;
+use super::super::scene::{Scales, Scene, above, entry, most, rounding};
+use super::Grown;
+use super::load::Load;
+use crate::number::elements::Each;
+use crate::number::real::{Ordered, Real};
+
+/// How far a motion has strayed from the equations.
+pub(super) struct Strays<R> {
+    /// The error of a slip, in tolerances.
+    pub(super) error: R,
+    /// The slowest slip, as a part of what it needs to have a direction.
+    pub(super) known: R,
+}
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+{
+    /// How well the end of a motion obeys the equations, in which the slips are those that it has.
+    pub(super) fn strays(
+        &self,
+        grown: &Grown<S::Scalar, N, C, W>,
+        end: &Load<S::Scalar, N, C>,
+        scales: &Scales<S::Scalar, C>,
+    ) -> Option<Strays<S::Scalar>> {
+        let number = S::Scalar::from_f64;
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let mut state = self.state;
+        grown.take_on(&mut state, zero);
+        let in_regime = self.system.in_regime(&grown.regime);
+        let equations = S::equations_in(&in_regime, state.t, &state.q, &state.v, self.inputs)?;
+        let found = equations.balance().accelerations;
+        let known = Known::settled(self.is_closed);
+        let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
+        let mut strays = Strays { error: zero, known: number(f64::INFINITY) };
+        for rows in self.beginning(&grown.regime).slips(&S::ROWS) {
+            let [x, y] = rows.each(|row| entry(&scene.laws.rows.rates, row));
+            let slip = x.hypot(y);
+            let along = |rate: &dyn Fn(usize) -> S::Scalar| (x * rate(rows[0]) + y * rate(rows[1])) / slip;
+            let lacks = along(&|row| scene.rate(row, &found)) - along(&|row| entry(&end.rates, row));
+            let [a, b] = rows.each(|row| entry(&scene.speeds, row));
+            let speed = most(a, b);
+            let ulps = number(LAUNCHED) * S::Scalar::epsilon();
+            // Roundings of the accelerations are no error that a shorter time could mend. What grows like t³ is
+            // a quarter of its end in the mean.
+            let lacks = most(lacks.abs() - rounding::<S::Scalar>() * entry(&end.sizes, rows[0]), zero);
+            let error = number(0.25) * grown.later * lacks;
+            strays.error = most(strays.error, error / (most(scales.relative, ulps) * speed));
+            let known = slip / (number(LAUNCHED) * ulps * speed);
+            strays.known = if above(strays.known, known) { known } else { strays.known };
+        }
+        strays.error.is_finite().then_some(strays)
+    }
+}
