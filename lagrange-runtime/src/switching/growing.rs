@@ -116,7 +116,8 @@ where
             let is_longer = whole.is_positive() && above(time, longest);
             later = most(later, if is_longer { longest } else { time });
         }
-        // A load that does not last so long makes a slower slip, down to one that roundings leave a direction.
+        // A load that does not last so long makes a slower slip, down to one that roundings leave its
+        // direction.
         let mut slip = number(LAUNCHED) * self.lost.part(0);
         while later.is_finite() && later.is_positive() && !above(rounding(), slip) {
             match self.grown_by(choice.regime, &choice.accelerations, scales, later) {

@@ -60,8 +60,8 @@ where
         memory.is_way = false;
     }
 
-    /// The regime and the state that follow a state: after its impact, projected onto the regime, moved by the
-    /// delay of the time that is rounded, and a little later yet if a slip in two directions begins.
+    /// The regime and the state that follow a state: after its impact, projected onto the regime, moved by
+    /// the delay of the time that is rounded, and a little later yet if a slip in two directions begins.
     pub(super) fn settle(
         &mut self,
         state: &mut State<S::Scalar, N>,

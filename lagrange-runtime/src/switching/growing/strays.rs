@@ -47,8 +47,8 @@ where
             let [a, b] = rows.each(|row| entry(&scene.speeds, row));
             let speed = most(a, b);
             let ulps = number(LAUNCHED) * S::Scalar::epsilon();
-            // Roundings of the accelerations are no error that a shorter time could mend. What grows like t³ is
-            // a quarter of its end in the mean.
+            // Roundings of the accelerations are no error that a shorter time could mend. What grows like t³
+            // is a quarter of its end in the mean.
             let lacks = most(lacks.abs() - rounding::<S::Scalar>() * entry(&end.sizes, rows[0]), zero);
             let error = number(0.25) * grown.later * lacks;
             strays.error = most(strays.error, error / (most(scales.relative, ulps) * speed));
