@@ -17,6 +17,9 @@ use crate::system::state::State;
 /// The part of a piece at which its guard is compared with the end, for its slope.
 const EARLIER: f64 = 1.0 - 1e-3;
 
+/// How many times half of the step is tried where guards have no values on all of it.
+const NEARER: usize = 8;
+
 impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
 where
     S: Switching<N, K, C, W>,
@@ -73,8 +76,18 @@ where
         }
         // The time from the start to this part of the step, without the rounding of times.
         let mut passed = first.zip(fall).map(|((part, _), (.., length, residue))| part * length + residue);
-        let until = first.map_or(known, |(part, _)| part);
-        let sampled = guards.first(&memory.scales, [start.t, end.t], until, attempts, &mut at)?;
+        let mut until = first.map_or(known, |(part, _)| part);
+        let mut tries = NEARER;
+        let sampled = loop {
+            // Where a slip comes to rest within the step, guards have no values beyond that.
+            match guards.first(&memory.scales, [start.t, end.t], until, attempts, &mut at) {
+                Err(Cause::NotFinite) if tries > 0 => {
+                    until *= S::Scalar::from_f64(0.5);
+                    (first, passed, known, tries) = (None, None, until, tries - 1);
+                }
+                found => break found?,
+            }
+        };
         if sampled.is_some() {
             (first, passed) = (sampled, None);
         }
