@@ -49,10 +49,13 @@ where
             let ulps = number(LAUNCHED) * S::Scalar::epsilon();
             // Roundings of the accelerations are no error that a shorter time could mend. What grows like t³
             // is a quarter of its end in the mean.
-            let lacks = most(lacks.abs() - rounding::<S::Scalar>() * entry(&end.sizes, rows[0]), zero);
+            let strength = entry(&end.sizes, rows[0]);
+            let lacks = most(lacks.abs() - rounding::<S::Scalar>() * strength, zero);
             let error = number(0.25) * grown.later * lacks;
             strays.error = most(strays.error, error / (most(scales.relative, ulps) * speed));
-            let known = slip / (number(LAUNCHED) * ulps * speed);
+            // In the time that rounding hides, forces change a velocity by this.
+            let hidden = number(4.0) * ulps * self.state.t.abs() * strength;
+            let known = slip / most(number(LAUNCHED) * ulps * speed, hidden);
             strays.known = if above(strays.known, known) { known } else { strays.known };
         }
         strays.error.is_finite().then_some(strays)
