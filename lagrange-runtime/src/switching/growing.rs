@@ -107,14 +107,15 @@ where
             let [x, y] = rows.each(|row| self.rate_at(row, &choice.velocities).part(0));
             let [turn_x, turn_y] = rows.each(|row| self.rate(row, &choice.accelerations).part(0));
             let speed = turn_x.hypot(turn_y);
-            let time = number(LAUNCHED) * x.hypot(y) / speed;
+            let least = x.hypot(y) / speed;
+            let time = number(LAUNCHED) * least;
             // The time scale of the motion as a whole is its speed over its acceleration.
             let [a, b] = rows.each(|row| self.extent_of(row, &choice.sizes.accelerations).part(0));
             let [own, other] = rows.each(|row| entry(&self.speeds, row).part(0));
             let (strength, whole) = (most(a, b), most(own, other));
             let longest = whole * speed / (strength * strength);
             let is_longer = whole.is_positive() && above(time, longest);
-            later = most(later, if is_longer { longest } else { time });
+            later = most(later, if is_longer { most(longest, least) } else { time });
         }
         // A load that does not last so long makes a slower slip, down to one that roundings leave its
         // direction.
