@@ -255,8 +255,8 @@ where
             <= self.bound(size, sizes.absolute) + roundings * span
     }
 
-    /// The change of the accelerations by rounding errors of the coordinates, the velocities and the time. Where
-    /// strong forces are in balance, or a slow slip has a direction, it exceeds those of the accelerations.
+    /// The change of the accelerations by rounding errors of coordinates, velocities and time. Where strong
+    /// forces are in balance, or a slow slip has a direction, it exceeds those of the accelerations.
     #[cold]
     fn roundings(&self, state: &State<S::Scalar, N>, footing: &Footing<S::Scalar, N>) -> S::Scalar {
         let here = self.accelerations(state);
