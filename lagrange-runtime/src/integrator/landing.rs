@@ -255,8 +255,8 @@ where
             <= self.bound(size, sizes.absolute) + roundings * span
     }
 
-    /// The change of the accelerations by rounding errors of coordinates, velocities and time. Where strong
-    /// forces are in balance, or a slow slip has a direction, it exceeds those of the accelerations.
+    /// The change of the accelerations by rounding errors of the coordinates and of time. Where strong forces
+    /// are in balance it exceeds the rounding errors of the accelerations.
     #[cold]
     fn roundings(&self, state: &State<S::Scalar, N>, footing: &Footing<S::Scalar, N>) -> S::Scalar {
         let here = self.accelerations(state);
@@ -268,8 +268,6 @@ where
             for i in 0..N {
                 let ulp = footing.ulps_q[i];
                 beside.q[i] += if alternate && i % 2 == 1 { -ulp } else { ulp };
-                let ulp = S::Scalar::epsilon() * state.v[i].abs();
-                beside.v[i] += if alternate && i % 2 == 1 { -ulp } else { ulp };
             }
             largest =
                 larger(largest, footing.metric.extent(&difference(&self.accelerations(&beside), &here)));

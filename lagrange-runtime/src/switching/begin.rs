@@ -1,6 +1,6 @@
 //! The regime where a motion begins, or where it goes on from a state that is not its own.
 
-use super::kinks::sides;
+use super::kinks::{followed, sides};
 use super::known::Known;
 use super::run::Run;
 use super::scene::{Scene, above, against, entry, extent, most, rounding};
@@ -55,7 +55,9 @@ where
             let (above, below) = (side(one), side(-one));
             let lies = array(|kink| above[kink] != below[kink]);
             let there = State { v: state.v, ..begun };
-            if turn_ahead(self.system, &there, a, &self.control.0, &lies, &mut present.kinks) {
+            let (before, inputs) = (present.kinks, &self.control.0);
+            if turn_ahead(self.system, &there, a, inputs, &lies, &mut present.kinks) {
+                present.kinks = followed(self.system, &there, inputs, &before, &present.kinks);
                 state = begun;
                 regime = self.settle(&mut state, present, known, num_traits::Zero::zero())?;
             }

@@ -97,7 +97,7 @@ where
     }
 
     /// The regime among these options. Nothing is asked of a row that is decided. Contacts that have opened
-    /// at this time stay open where they can.
+    /// at this time stay open where they can; `search` does not know of them.
     fn choose_among(
         &self,
         options: [Options; C],

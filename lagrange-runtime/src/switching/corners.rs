@@ -35,26 +35,7 @@ where
         if *flips > CHANGES {
             return Err(Cause::HeldAtKink { kink, name });
         }
-        match self.passable(kink, side, state) {
-            // What leaps with another switch has been looked at there.
-            Err(_) if self.has_leapt(kink, state) => Ok(()),
-            found => found,
-        }
-    }
-
-    /// Whether the argument of a switch did not come to zero, but leapt when another switch that it contains
-    /// went over at this time. It is compared with the larger of its sizes here and at the start of the
-    /// piece, since here its own value may be all of its size.
-    #[cold]
-    fn has_leapt(&self, kink: usize, state: &State<S::Scalar, N>) -> bool {
-        let of = |state: &State<S::Scalar, N>| {
-            let laws = self.system.laws_at(state.t, &state.q, &state.v, &self.control.0);
-            (entry(&laws.kinks, kink).abs(), entry(&laws.kink_sizes, kink))
-        };
-        let others = self.memory.flips.iter().enumerate().filter(|&(other, _)| other != kink);
-        let ((here, size), (_, before)) = (of(state), of(&self.memory.start));
-        others.into_iter().any(|(_, &flips)| flips > 0)
-            && above(here, S::Scalar::epsilon().sqrt() * most(size, before))
+        self.passable(kink, side, state)
     }
 
     /// Refuses a kink at which an energy, a momentum, a constraint or the gap of a contact jumps.

@@ -18,7 +18,7 @@ use crate::system::state::State;
 const EARLIER: f64 = 1.0 - 1e-3;
 
 /// How many times half of the step is tried where guards have no values on all of it.
-const NEARER: usize = 8;
+const HALVINGS: usize = 8;
 
 impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
 where
@@ -77,9 +77,9 @@ where
         // The time from the start to this part of the step, without the rounding of times.
         let mut passed = first.zip(fall).map(|((part, _), (.., length, residue))| part * length + residue);
         let mut until = first.map_or(known, |(part, _)| part);
-        let mut tries = NEARER;
+        let mut tries = HALVINGS;
         let sampled = loop {
-            // Where a slip comes to rest within the step, guards have no values beyond that.
+            // What a regime needs may end within the step. The next piece begins nearer to that.
             match guards.first(&memory.scales, [start.t, end.t], until, attempts, &mut at) {
                 Err(Cause::NotFinite) if tries > 0 => {
                     until *= S::Scalar::from_f64(0.5);

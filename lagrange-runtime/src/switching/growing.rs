@@ -5,6 +5,7 @@
 //! A series there has the radius of convergence of that time, so no series can begin. This is what can:
 //! friction that turns so fast is against the load itself. So the motion is taken on by a short time τ in
 //! one piece, with accelerations under friction against the load at its start, in its middle and at its end.
+//! The end is compared with the equations. If it is beyond the tolerance, τ is shortened.
 //!
 //! If T is the time in which the load grows by its own size, the relative error of this is about (τ/T)³. The
 //! motion from there until T takes a few times T/τ steps.
@@ -82,8 +83,9 @@ where
         // The time of a switch has errors, as velocities have. Whether a slip is driven that is hardly driven
         // here shows by how it grows.
         let changed = self.lost.part(0).sqrt();
+        let strength = |rows: [usize; 2]| self.strength(rows, &choice.sizes.accelerations);
         let is_driven =
-            |rows: [usize; 2]| above(self.driven_part(rows, &choice.accelerations, &choice.sizes), changed);
+            |rows: [usize; 2]| above(self.driven_part(rows, &choice.accelerations, strength(rows)), changed);
         if begins.slips(&S::ROWS).all(is_driven) {
             return self.driven(choice, scales);
         }
@@ -104,21 +106,14 @@ where
         let number = S::Scalar::from_f64;
         let mut later: S::Scalar = num_traits::Zero::zero();
         for rows in self.beginning(&choice.regime).slips(&S::ROWS) {
-            let [x, y] = rows.each(|row| self.rate_at(row, &choice.velocities).part(0));
-            let [turn_x, turn_y] = rows.each(|row| self.rate(row, &choice.accelerations).part(0));
-            let speed = turn_x.hypot(turn_y);
-            let least = x.hypot(y) / speed;
+            let spans = self.spans(rows, &choice.velocities, &choice.accelerations, &choice.sizes);
+            let [least, longest] = spans.each(|span| span.part(0));
             let time = number(LAUNCHED) * least;
-            // The time scale of the motion as a whole is its speed over its acceleration.
-            let [a, b] = rows.each(|row| self.extent_of(row, &choice.sizes.accelerations).part(0));
-            let [own, other] = rows.each(|row| entry(&self.speeds, row).part(0));
-            let (strength, whole) = (most(a, b), most(own, other));
-            let longest = whole * speed / (strength * strength);
-            let is_longer = whole.is_positive() && above(time, longest);
+            let is_longer = longest.is_positive() && above(time, longest);
             later = most(later, if is_longer { most(longest, least) } else { time });
         }
-        // A load that does not last so long makes a slower slip, down to one that roundings leave its
-        // direction.
+        // If the load changes before, the slip begins at a slower speed, but not below the one at which
+        // roundings leave it no direction.
         let mut slip = number(LAUNCHED) * self.lost.part(0);
         while later.is_finite() && later.is_positive() && !above(rounding(), slip) {
             match self.grown_by(choice.regime, &choice.accelerations, scales, later) {
@@ -312,7 +307,7 @@ where
             if !above(strays.error, number(1.0)) || !is_fast {
                 return Ok(grown);
             }
-            // An error that falls no faster than the slip is none of the time.
+            // A shorter time does not mend an error that falls no faster than the slip.
             if above(strays.error, largest) {
                 return Err(Not::Strays);
             }

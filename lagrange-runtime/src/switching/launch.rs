@@ -130,14 +130,27 @@ where
 
     /// The smallest slip whose direction the motion knows, where forces can make such accelerations.
     fn least_slip(&self, rows: [usize; 2], strengths: &[S::Scalar; N]) -> S::Scalar {
-        let [a, b] = rows.each(|row| entry(&self.speeds, row));
-        let lost = most(a, b) * self.lost;
-        // In the time that rounding hides, forces change a velocity by this.
-        let [a, b] = rows.each(|row| self.extent_of(row, strengths));
+        let lost = self.scale_of(rows) * self.lost;
+        let least = most(lost, self.hidden_slip(self.strength(rows, strengths)));
         let ulps = S::Scalar::from_f64(LAUNCHED) * S::Scalar::epsilon();
-        let hidden = S::Scalar::from_f64(4.0) * ulps * self.state.t.abs() * most(a, b);
-        let least = most(lost, hidden);
         if least.is_positive() { least } else { ulps * self.lost }
+    }
+
+    /// The size of both velocities of a slip in two directions.
+    pub(super) fn scale_of(&self, rows: [usize; 2]) -> S::Scalar {
+        let [a, b] = rows.each(|row| entry(&self.speeds, row));
+        most(a, b)
+    }
+
+    /// What accelerations of these sizes could give a slip.
+    pub(super) fn strength(&self, rows: [usize; 2], accelerations: &[S::Scalar; N]) -> S::Scalar {
+        let [a, b] = rows.each(|row| self.extent_of(row, accelerations));
+        most(a, b)
+    }
+
+    /// The slip that such a strength makes in the time that rounding hides, with room for a direction.
+    pub(super) fn hidden_slip(&self, strength: S::Scalar) -> S::Scalar {
+        S::Scalar::from_f64(4.0 * LAUNCHED) * S::Scalar::epsilon() * self.state.t.abs() * strength
     }
 
     /// Whether the roundings of velocities leave a slip its direction.
@@ -145,6 +158,22 @@ where
         let [x, y] = rows.each(|row| entry(&self.laws.rows.rates, row));
         let [a, b] = rows.each(|row| entry(&self.laws.rows.rate_sizes, row));
         above(x.hypot(y), S::Scalar::from_f64(LAUNCHED) * S::Scalar::epsilon() * most(a, b))
+    }
+
+    /// The time \[s] in which a slip that begins grows to that of `velocities`, and the longest in which its
+    /// acceleration stays: the part that it is of what forces could give, of the time scale of the motion.
+    pub(super) fn spans(
+        &self,
+        rows: [usize; 2],
+        velocities: &[S::Scalar; N],
+        accelerations: &[S::Scalar; N],
+        sizes: &Sizes<S::Scalar, N>,
+    ) -> [S::Scalar; 2] {
+        let [x, y] = rows.each(|row| self.rate_at(row, velocities));
+        let [turn_x, turn_y] = rows.each(|row| self.rate(row, accelerations));
+        let (speed, strength) = (turn_x.hypot(turn_y), self.strength(rows, &sizes.accelerations));
+        // The time scale of the motion as a whole is its speed over its acceleration.
+        [x.hypot(y) / speed, self.scale_of(rows) * speed / (strength * strength)]
     }
 
     /// The time \[s] in which slips that begin grow to those of `velocities`. `None` where it is so long that
@@ -160,15 +189,8 @@ where
     ) -> Option<S::Scalar> {
         let mut later = num_traits::Zero::zero();
         for rows in begins.slips(&S::ROWS) {
-            let [x, y] = rows.each(|row| self.rate_at(row, velocities));
-            let [turn_x, turn_y] = rows.each(|row| self.rate(row, &balance.accelerations));
-            let [a, b] = rows.each(|row| self.extent_of(row, &sizes.accelerations));
-            let (speed, strength) = (turn_x.hypot(turn_y), most(a, b));
-            let time = x.hypot(y) / speed;
-            // The time scale of the motion as a whole is its speed over its acceleration.
-            let whole = rows.each(|row| entry(&self.speeds, row));
-            let whole = most(whole[0], whole[1]);
-            if !time.is_finite() || above(time * strength * strength, whole * speed) {
+            let [time, longest] = self.spans(rows, velocities, &balance.accelerations, sizes);
+            if !time.is_finite() || above(time, longest) {
                 return None;
             }
             later = most(later, time);

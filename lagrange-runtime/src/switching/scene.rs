@@ -281,7 +281,7 @@ where
     ///
     /// A row that holds goes on holding: it loses all velocities that it couples, or those alone that are
     /// rounding errors of the others.
-    /// A slip in two directions has a direction as long as it has digits of its own.
+    /// A slip in two directions keeps its velocities: it has a direction as long as they are not zero.
     pub(super) fn still(&self, v: &mut [S::Scalar; N], regime: &Regime<S::Scalar, C, W>) {
         let zero: S::Scalar = num_traits::Zero::zero();
         let slips: [bool; C] = array(|row| match S::ROWS[row] {

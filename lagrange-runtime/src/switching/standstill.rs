@@ -168,14 +168,12 @@ where
             return None;
         }
         let straight = fall.recip();
-        // A slip across that is within the tolerance is none.
+        // The load may turn the slip by the tolerance.
         let [along, across] = rows.each(|row| self.rate(row, &start));
         let turned = (x * across - y * along).abs() * straight / x.hypot(y);
-        let [a, b] = rows.each(|row| entry(&self.speeds, row));
-        // In the time that rounding hides, forces make such a slip.
-        let hidden = number(4.0 * LAUNCHED) * S::Scalar::epsilon() * t.abs() * along.hypot(across);
+        let hidden = self.hidden_slip(along.hypot(across));
         let has_direction = self.has_direction(rows) && above(x.hypot(y), hidden);
-        if above(turned, self.lost * most(a, b)) && has_direction {
+        if above(turned, self.lost * self.scale_of(rows)) && has_direction {
             return None;
         }
         let is_straight = !has_direction || !above(number(LAUNCHED) * turned, x.hypot(y));
@@ -201,7 +199,8 @@ where
         half.v = array(|i| half.v[i] + change[i]);
         let equations = S::equations_in(&in_regime, half.t, &half.q, &half.v, self.inputs)?;
         let there = equations.balance().accelerations;
-        // With forces that change evenly, 1 − fall t + (fall − falls) / straight t² of the slip is left.
+        // If it falls by f per second now and by h in the middle, and evenly between, 1 − f t + f (f − h) t²
+        // of the slip is left after a time t.
         let root = fall * (number(4.0) * falls(&there) - number(3.0) * fall);
         if root.is_positive() {
             let lasts = number(2.0) / (fall + root.sqrt());

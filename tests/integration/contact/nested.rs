@@ -138,7 +138,7 @@ impl Written {
     }
 }
 
-/// Behind a switch all that contains it leaps at once: no regime comes between that is none of the model.
+/// All that contains a switch leaps with it. A regime that the model does not have must not come between.
 #[test]
 fn modes_that_a_switch_numbers_change_with_it() {
     for step in 0..200 {

@@ -1,6 +1,5 @@
 //! The load that makes slips begin, at a later time.
 
-use super::super::choice::Sizes;
 use super::super::known::Known;
 use super::super::scene::{Scales, Scene, Status, above, entry, most, put};
 use super::super::way::shift;
@@ -88,10 +87,10 @@ where
         }
         let (mut parts, mut rates, mut sizes) = ([[zero; C]; 2], [zero; C], [zero; C]);
         for rows in begins.slips(&S::ROWS) {
-            put(&mut parts[0], rows[0], self.driven_part(rows, a, &there.sizes));
-            put(&mut parts[1], rows[0], scene.driven_part(rows, &there.accelerations, &there.sizes));
-            let [a, b] = rows.each(|row| scene.extent_of(row, &there.sizes.accelerations));
-            put(&mut sizes, rows[0], most(a, b));
+            let strength = scene.strength(rows, &there.sizes.accelerations);
+            put(&mut sizes, rows[0], strength);
+            put(&mut parts[0], rows[0], self.driven_part(rows, a, strength));
+            put(&mut parts[1], rows[0], scene.driven_part(rows, &there.accelerations, strength));
             for row in rows {
                 put(&mut rates, row, scene.rate(row, &there.accelerations));
             }
@@ -99,18 +98,16 @@ where
         Ok(Load { later, accelerations: there.accelerations, rates, sizes, parts })
     }
 
-    /// The acceleration of a slip, as a part of what the forces could give it.
+    /// The acceleration of a slip, as a part of what the forces could give it, its `strength`.
     pub(super) fn driven_part(
         &self,
         rows: [usize; 2],
         accelerations: &[S::Scalar; N],
-        sizes: &Sizes<S::Scalar, N>,
+        strength: S::Scalar,
     ) -> S::Scalar {
         let [x, y] = rows.each(|row| self.rate(row, accelerations));
-        let [a, b] = rows.each(|row| self.extent_of(row, &sizes.accelerations));
-        let size = most(a, b);
         // A number alone: the time that follows from it has no variation.
-        if size.is_positive() { (x.hypot(y) / size).part(0) } else { num_traits::Zero::zero() }
+        if strength.is_positive() { (x.hypot(y) / strength).part(0) } else { num_traits::Zero::zero() }
     }
 
     /// The state after a time with constant accelerations, on the constraints of a regime.

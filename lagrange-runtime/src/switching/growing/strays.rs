@@ -44,8 +44,7 @@ where
             let slip = x.hypot(y);
             let along = |rate: &dyn Fn(usize) -> S::Scalar| (x * rate(rows[0]) + y * rate(rows[1])) / slip;
             let lacks = along(&|row| scene.rate(row, &found)) - along(&|row| entry(&end.rates, row));
-            let [a, b] = rows.each(|row| entry(&scene.speeds, row));
-            let speed = most(a, b);
+            let speed = scene.scale_of(rows);
             let ulps = number(LAUNCHED) * S::Scalar::epsilon();
             // Roundings of the accelerations are no error that a shorter time could mend. What grows like t³
             // is a quarter of its end in the mean.
@@ -53,9 +52,7 @@ where
             let lacks = most(lacks.abs() - rounding::<S::Scalar>() * strength, zero);
             let error = number(0.25) * grown.later * lacks;
             strays.error = most(strays.error, error / (most(scales.relative, ulps) * speed));
-            // In the time that rounding hides, forces change a velocity by this.
-            let hidden = number(4.0) * ulps * self.state.t.abs() * strength;
-            let known = slip / most(number(LAUNCHED) * ulps * speed, hidden);
+            let known = slip / most(number(LAUNCHED) * ulps * speed, self.hidden_slip(strength));
             strays.known = if above(strays.known, known) { known } else { strays.known };
         }
         strays.error.is_finite().then_some(strays)
