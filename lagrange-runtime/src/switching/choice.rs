@@ -7,8 +7,10 @@
 //!
 //! Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapters 5 and 7.
 
-use super::scene::{Scene, Status, Sticking, above, entry, most, put, rounding};
-use super::trials::{Options, Part, changes, combine, parts_at, regime, thresholds};
+use super::scene::{Scene, Status, Sticking, entry, most, put};
+use super::trials::{
+    COMBINATIONS, FEW, Options, Part, changes, combinations, combine, parts_at, regime, thresholds,
+};
 use super::turning::has_pairs;
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
@@ -122,6 +124,12 @@ where
         let is_coupled = S::ROWS.iter().zip(&self.status).any(|(row, &status)| {
             matches!(row, Row::Friction { normal: Some(_), .. }) && status != Status::Apart
         });
+        // Reactions that drive friction may have several solutions. All combinations tell, if they can be
+        // counted.
+        let are_many = combinations(&options) > if is_coupled { COMBINATIONS - 1 } else { FEW };
+        if are_many && let Some(found) = self.pivoted(&options, decided, fired) {
+            return Ok(found);
+        }
         let mut cause = Cause::NotFinite;
         for part in thresholds() {
             let mut chosen: Option<Choice<S::Scalar, N, C, W>> = None;
@@ -158,9 +166,7 @@ where
                 return Err(Cause::SeveralReactions { constraint, name: S::NAMES.constraint(constraint) });
             }
             if let Some(chosen) = chosen {
-                let may_hold = self.may_hold(&chosen.regime, fired);
-                let loaded = if may_hold { self.loaded(&chosen, part, decided, fired) } else { None };
-                return Ok(loaded.unwrap_or(chosen));
+                return Ok(self.held_if_it_can(chosen, part, decided, fired));
             }
         }
         Err(cause)
@@ -282,81 +288,6 @@ where
     /// The rate of the rate of a row, or of a slip: A a − γ.
     pub(super) fn rate(&self, row: usize, accelerations: &[S::Scalar; N]) -> S::Scalar {
         self.along(row, accelerations) - entry(&self.gamma, row)
-    }
-
-    /// Whether the demands of a combination agree with its consequences, up to a `part` of the sizes of
-    /// numbers; if not, the row where they do not.
-    pub(super) fn judge(
-        &self,
-        parts: &[Part; C],
-        trial: &Choice<S::Scalar, N, C, W>,
-        part: S::Scalar,
-        decided: Option<usize>,
-    ) -> Result<(), usize> {
-        let zero: S::Scalar = num_traits::Zero::zero();
-        // Beyond the first threshold, errors are those of the largest force, wherever it acts.
-        let is_whole = above(part, rounding());
-        let levelled = trial.sizes.levelled(&self.units);
-        let sizes = if is_whole { &levelled } else { &trial.sizes };
-        let scale = |row: usize| self.borne(row, &sizes.forces);
-        for (row, kind) in S::ROWS.iter().enumerate() {
-            if decided == Some(row) {
-                continue;
-            }
-            let reaction = entry(&trial.multipliers, row);
-            let slack = part * scale(row);
-            let rate = self.rate(row, &trial.accelerations);
-            let own = self.extent_of(row, &sizes.accelerations);
-            let play = part * (own + entry(&self.gamma, row).abs());
-            // Rows that depend on each other may demand contradictory things. Where nothing pulls,
-            // accelerations are rounding errors; those that friction could prevent are the measure of them.
-            let prevented = match (kind, self.gradients.get(row)) {
-                (Row::Friction { normal, .. }, Some(own)) if trial.regime.active[row] => {
-                    self.limit(row, *normal, &trial.multipliers).abs() * self.effect(row, own)
-                }
-                _ => zero,
-            };
-            // Reactions have the rounding errors of the forces that they balance, and act on all that they
-            // couple.
-            let inexact = most(part, S::Scalar::epsilon().sqrt()) * (play / part + prevented)
-                + rounding::<S::Scalar>() * self.extent_of(row, &levelled.accelerations);
-            if trial.regime.active[row] && above(rate.abs(), inexact) {
-                return Err(row);
-            }
-            let holds = match (kind, parts[row]) {
-                (Row::Bilateral, part) if is_limit(&S::ROWS, row) => {
-                    let side = if part == Part::Against { -reaction } else { reaction };
-                    !above(-slack, side)
-                }
-                (Row::Unilateral, Part::On) => !above(-slack, reaction),
-                (Row::Unilateral, _) if self.status[row] != Status::Apart => !above(-play, rate),
-                (Row::Friction { normal, pair }, _) if trial.regime.active[row] => {
-                    let limit = self.limit(row, *normal, &trial.multipliers);
-                    let (other, slack) = match *pair {
-                        Some(other) => (entry(&trial.multipliers, other), most(slack, part * scale(other))),
-                        None => (zero, slack),
-                    };
-                    !above(reaction.hypot(other), limit * (S::Scalar::from_f64(1.0) + part) + slack)
-                }
-                (Row::Friction { pair, .. }, _) => {
-                    let slip = trial.regime.slip[row];
-                    match pair {
-                        _ if slip == zero || self.status[row] != Status::Rests => true,
-                        None => !above(-play, slip * rate),
-                        Some(other) => {
-                            let [x, y] = [row, *other].each(|row| self.rate_at(row, &trial.velocities));
-                            let turn = self.rate(*other, &trial.accelerations);
-                            !above(-play * x.hypot(y), x * rate + y * turn)
-                        }
-                    }
-                }
-                _ => true,
-            };
-            if !holds {
-                return Err(row);
-            }
-        }
-        Ok(())
     }
 }
 

@@ -20,16 +20,12 @@
 
 use super::known::Known;
 use super::scene::{Scales, Scene, Status, above, entry, most, product, rounding};
-use super::trials::{Options, Part, changes, combinations, combine, thresholds};
+use super::trials::{FEW, Options, Part, changes, combinations, combine, thresholds};
 use super::{Laws, Row, Switching};
 use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::state::State;
-
-/// Up to so many combinations are tried one by one before sweeps: those of six contacts that are open or
-/// closed.
-const FEW: usize = 64;
 
 /// Velocities after an impact, and the impulses of all rows.
 pub(super) type Struck<R, const N: usize, const C: usize> = ([R; N], [R; C]);

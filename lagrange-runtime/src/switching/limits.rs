@@ -36,7 +36,7 @@ where
     /// Whether a friction begins to slip in a regime that holds more at rest than it gives when it slips.
     /// Then nothing may have made it let go, though the regime agrees with its consequences. The friction
     /// that has `fired` has reached its limit.
-    pub(super) fn may_hold(&self, regime: &Regime<S::Scalar, C, W>, fired: Option<usize>) -> bool {
+    fn may_hold(&self, regime: &Regime<S::Scalar, C, W>, fired: Option<usize>) -> bool {
         self.resting_rows(fired).any(|row| {
             let slip = entry(&regime.slip, row);
             let Coefficients { kinetic, fixed } = self.against(slip);
@@ -44,11 +44,25 @@ where
         })
     }
 
+    /// The regime that is chosen, or the one to which loads lead that grow in proportion where a friction
+    /// begins to slip that might hold.
+    pub(super) fn held_if_it_can(
+        &self,
+        chosen: Choice<S::Scalar, N, C, W>,
+        part: S::Scalar,
+        decided: Option<usize>,
+        fired: Option<usize>,
+    ) -> Choice<S::Scalar, N, C, W> {
+        let may_hold = self.may_hold(&chosen.regime, fired);
+        let loaded = if may_hold { self.loaded(&chosen, part, decided, fired) } else { None };
+        loaded.unwrap_or(chosen)
+    }
+
     /// The regime to which loads lead that grow in proportion, with contacts as in the chosen one: one
     /// friction after the other lets go, that which is exceeded most. `None` if that regime does not agree
     /// with its consequences.
     #[cold]
-    pub(super) fn loaded(
+    fn loaded(
         &self,
         chosen: &Choice<S::Scalar, N, C, W>,
         part: S::Scalar,

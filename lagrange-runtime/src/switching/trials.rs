@@ -5,8 +5,11 @@ use super::{Regime, Row};
 use crate::number::elements::array;
 use crate::number::real::Real;
 
+/// Up to so many combinations are tried one by one at first: those of six contacts that are open or closed.
+pub(super) const FEW: usize = 64;
+
 /// The most combinations that are tried: twelve contacts that are open or closed.
-const COMBINATIONS: usize = 4096;
+pub(super) const COMBINATIONS: usize = 4096;
 
 /// The activity of a row in a regime.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,6 +66,11 @@ impl Options {
     /// The one to be tried first.
     pub(super) fn first(&self) -> Part {
         self.parts[0]
+    }
+
+    /// Whether this is one of them.
+    pub(super) fn has(&self, part: Part) -> bool {
+        self.parts.iter().take(self.count).any(|&own| own == part)
     }
 
     /// The same, this one first or last.

@@ -1,0 +1,99 @@
+//! Whether a regime agrees with its consequences.
+
+use super::Row;
+use super::Switching;
+use super::choice::{Choice, is_limit};
+use super::scene::{Scene, Status, above, entry, most, rounding};
+use super::trials::Part;
+use crate::number::elements::Each;
+use crate::number::real::Real;
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+{
+    /// Whether the demands of a combination agree with its consequences, up to a `part` of the sizes of
+    /// numbers; if not, the first row where they do not.
+    pub(super) fn judge(
+        &self,
+        parts: &[Part; C],
+        trial: &Choice<S::Scalar, N, C, W>,
+        part: S::Scalar,
+        decided: Option<usize>,
+    ) -> Result<(), usize> {
+        self.faults(parts, trial, part, decided).next().map_or(Ok(()), Err)
+    }
+
+    /// The rows where the demands of a combination do not agree with its consequences, up to a `part` of the
+    /// sizes of numbers.
+    pub(super) fn faults<'a>(
+        &'a self,
+        parts: &'a [Part; C],
+        trial: &'a Choice<S::Scalar, N, C, W>,
+        part: S::Scalar,
+        decided: Option<usize>,
+    ) -> impl Iterator<Item = usize> + 'a {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        // Beyond the first threshold, errors are those of the largest force, wherever it acts.
+        let is_whole = above(part, rounding());
+        let levelled = trial.sizes.levelled(&self.units);
+        let sizes = if is_whole { levelled } else { trial.sizes };
+        let scale = move |row: usize| self.borne(row, &sizes.forces);
+        let agrees = move |row: usize, kind: Row| {
+            let reaction = entry(&trial.multipliers, row);
+            let slack = part * scale(row);
+            let rate = self.rate(row, &trial.accelerations);
+            let own = self.extent_of(row, &sizes.accelerations);
+            let play = part * (own + entry(&self.gamma, row).abs());
+            // Rows that depend on each other may demand contradictory things. Where nothing pulls,
+            // accelerations are rounding errors; those that friction could prevent are the measure of them.
+            let prevented = match (kind, self.gradients.get(row)) {
+                (Row::Friction { normal, .. }, Some(own)) if trial.regime.active[row] => {
+                    self.limit(row, normal, &trial.multipliers).abs() * self.effect(row, own)
+                }
+                _ => zero,
+            };
+            // Reactions have the rounding errors of the forces that they balance, and act on all that they
+            // couple.
+            let inexact = most(part, S::Scalar::epsilon().sqrt()) * (play / part + prevented)
+                + rounding::<S::Scalar>() * self.extent_of(row, &levelled.accelerations);
+            if trial.regime.active[row] && above(rate.abs(), inexact) {
+                return false;
+            }
+            match (kind, parts[row]) {
+                (Row::Bilateral, part) if is_limit(&S::ROWS, row) => {
+                    let side = if part == Part::Against { -reaction } else { reaction };
+                    !above(-slack, side)
+                }
+                (Row::Unilateral, Part::On) => !above(-slack, reaction),
+                (Row::Unilateral, _) if self.status[row] != Status::Apart => !above(-play, rate),
+                (Row::Friction { normal, pair }, _) if trial.regime.active[row] => {
+                    let limit = self.limit(row, normal, &trial.multipliers);
+                    let (other, slack) = match pair {
+                        Some(other) => (entry(&trial.multipliers, other), most(slack, part * scale(other))),
+                        None => (zero, slack),
+                    };
+                    !above(reaction.hypot(other), limit * (S::Scalar::from_f64(1.0) + part) + slack)
+                }
+                (Row::Friction { pair, .. }, _) => {
+                    let slip = trial.regime.slip[row];
+                    match pair {
+                        _ if slip == zero || self.status[row] != Status::Rests => true,
+                        None => !above(-play, slip * rate),
+                        Some(other) => {
+                            let [x, y] = [row, other].each(|row| self.rate_at(row, &trial.velocities));
+                            let turn = self.rate(other, &trial.accelerations);
+                            !above(-play * x.hypot(y), x * rate + y * turn)
+                        }
+                    }
+                }
+                _ => true,
+            }
+        };
+        S::ROWS
+            .iter()
+            .enumerate()
+            .filter(move |&(row, &kind)| decided != Some(row) && !agrees(row, kind))
+            .map(|(row, _)| row)
+    }
+}
