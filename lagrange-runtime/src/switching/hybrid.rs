@@ -79,6 +79,7 @@ where
             is_cut: false,
             stuck: None,
             fired: None,
+            let_go: None,
             scales: Scales::new(),
             flips: [0; W],
             changes: 0,

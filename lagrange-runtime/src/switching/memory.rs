@@ -46,6 +46,8 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) stuck: Option<Cause>,
     /// The guard that ended the piece before, which is zero where the next one starts.
     pub(super) fired: Option<Guard>,
+    /// The friction in one direction that has let go there.
+    pub(super) let_go: Option<usize>,
     pub(super) scales: Scales<R, C>,
     /// Changes of the side of each kink since time has last passed, beyond rounding.
     pub(super) flips: [usize; W],
@@ -107,9 +109,22 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         (t == self.switched && self.next.is_some()).then(|| self.switched())
     }
 
-    /// Notes the contacts that have opened from one regime to the next, unless that was an impact.
-    pub(super) fn note_opened(&mut self, rows: &[Row; C], before: &Regime<R, C, W>, after: &Regime<R, C, W>) {
+    /// Notes the contacts that have opened from one regime to the next, unless that was an impact, and
+    /// whether the friction whose guard has `fired` has let go.
+    pub(super) fn note_ends(
+        &mut self,
+        rows: &[Row; C],
+        before: &Regime<R, C, W>,
+        after: &Regime<R, C, W>,
+        fired: Option<usize>,
+    ) {
         let is_impact = self.impulses != [R::zero(); C];
+        self.let_go = fired.filter(|&row| {
+            let sticks = |regime: &Regime<R, C, W>| regime.active.get(row) == Some(&true);
+            matches!(rows.get(row), Some(Row::Friction { pair: None, .. }))
+                && sticks(before)
+                && !sticks(after)
+        });
         for (row, (opened, kind)) in self.opened.iter_mut().zip(rows).enumerate() {
             let bears = |regime: &Regime<R, C, W>| regime.active.get(row) == Some(&true);
             *opened |= *kind == Row::Unilateral && bears(before) && !bears(after);

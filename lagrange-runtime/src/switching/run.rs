@@ -241,7 +241,7 @@ where
                 self.memory.end = start;
                 at(&start, cause)
             })?;
-            self.memory.fired = found.as_ref().and_then(|event| event.guard);
+            (self.memory.fired, self.memory.let_go) = (found.as_ref().and_then(|event| event.guard), None);
             self.memory.is_cut = found.is_some() && self.memory.fired.is_none();
             let Some(mut event) = found else {
                 // Kinks alone have no gaps, and no scales.
@@ -353,7 +353,7 @@ where
         shift(&mut state, &event.accelerations, varied);
         state.t += varied;
         let regime = self.settle(&mut state, present, known, event.late - varied)?;
-        self.memory.note_opened(&S::ROWS, &present, &regime);
+        self.memory.note_ends(&S::ROWS, &present, &regime, fired);
         self.memory.next = Some((regime, state));
         Ok(())
     }

@@ -60,7 +60,15 @@ where
                 let left = square(&limit).plus(minus, &square(&force));
                 Some(left.plus(minus, &square(&reaction(other)?)))
             }
-            Row::Friction { pair: None, .. } => Some(function(row)?.scaled(self.regime.slip[row])),
+            Row::Friction { pair: None, .. } => {
+                let mut slip = function(row)?.scaled(self.regime.slip[row]);
+                // What has just let go does not accelerate back: it would at most stay at its limit, where
+                // its acceleration is the rounding error of the forces that it is a difference of.
+                if self.has_let_go(guard) && slip.coefficients[1] < num_traits::Zero::zero() {
+                    slip.coefficients[1] = num_traits::Zero::zero();
+                }
+                Some(slip)
+            }
             Row::Friction { pair: Some(other), .. } => {
                 let directions = self.directions();
                 let one = function(row)?.scaled(directions[row].part(0));

@@ -17,6 +17,8 @@ pub(in crate::switching) struct Watch<R, const C: usize, const W: usize> {
     /// Kinks that the motion has crossed where the step starts. Their guards are zero there: another kink may
     /// be crossed at the same time, so that roundings are all that is left of them.
     crossed: [bool; W],
+    /// The friction that has let go where the step starts.
+    let_go: Option<usize>,
     /// Rows and kinks whose guards are sampled, without a series that converges on the step.
     sampled: ([bool; C], [bool; W]),
 }
@@ -25,7 +27,14 @@ impl<R: Real, const C: usize, const W: usize> Watch<R, C, W> {
     /// All kinks are watched and no row yet, by samples or not.
     pub(super) fn new(by_samples: bool) -> Self {
         let sampled = ([by_samples; C], [by_samples; W]);
-        Self { rows: [false; C], directions: [R::zero(); C], kinks: [true; W], crossed: [false; W], sampled }
+        Self {
+            rows: [false; C],
+            directions: [R::zero(); C],
+            kinks: [true; W],
+            crossed: [false; W],
+            let_go: None,
+            sampled,
+        }
     }
 
     /// Whether a guard is sampled.
@@ -68,6 +77,16 @@ where
     /// Notes the kinks that the motion has crossed where the step starts. `flips` is how often.
     pub(in crate::switching) fn cross(&mut self, flips: &[usize; W]) {
         self.watch.crossed = flips.map(|flips| flips > 0);
+    }
+
+    /// Notes the friction in one direction that has let go where the step starts.
+    pub(in crate::switching) fn let_go(&mut self, row: Option<usize>) {
+        self.watch.let_go = row;
+    }
+
+    /// Whether a guard is that of a friction that has let go where the step starts.
+    pub(in crate::switching) fn has_let_go(&self, guard: Guard) -> bool {
+        matches!(guard, Guard::Row(row) if self.watch.let_go == Some(row))
     }
 
     /// Whether a guard is that of a kink that the motion has crossed where the step starts.
