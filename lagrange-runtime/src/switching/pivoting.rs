@@ -46,7 +46,8 @@ where
     ) -> Option<Choice<S::Scalar, N, C, W>> {
         let mut parts = options.each(|options| options.first());
         let (mut fewest, mut patience) = (usize::MAX, PATIENCE);
-        for _ in 0..COMBINATIONS {
+        let mut single = None;
+        for turn in 0..COMBINATIONS {
             // Friction of an open contact begins anew where the contact closes.
             parts = array(|row| match S::ROWS[row] {
                 Row::Friction { normal: Some(normal), .. } if entry_of(&parts, normal) == Part::Off => {
@@ -68,9 +69,16 @@ where
             };
             let has_changed = if count < fewest || patience > 0 {
                 patience = if count < fewest { PATIENCE } else { patience - 1 };
-                fewest = fewest.min(count);
+                (fewest, single) = (fewest.min(count), None);
                 faults().filter(|&row| change(row)).count() > 0
             } else {
+                // Single changes return to none of the combinations that they have left, except by roundings.
+                if single == Some(parts) {
+                    return None;
+                }
+                if turn.is_power_of_two() || single.is_none() {
+                    single = Some(parts);
+                }
                 let mut last = [None; C];
                 for (last, row) in last.iter_mut().zip(faults()) {
                     *last = Some(row);
