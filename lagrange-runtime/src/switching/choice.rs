@@ -7,7 +7,7 @@
 //!
 //! Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapters 5 and 7.
 
-use super::scene::{Scene, Status, Sticking, entry, most, put};
+use super::scene::{Scene, Status, Sticking, above, entry, most, put, rounding};
 use super::trials::{
     COMBINATIONS, FEW, Options, Part, changes, combinations, combine, parts_at, regime, thresholds,
 };
@@ -31,6 +31,17 @@ pub(super) struct Choice<R, const N: usize, const C: usize, const W: usize> {
     pub(super) accelerations: [R; N],
     pub(super) multipliers: [R; C],
     pub(super) sizes: Sizes<R, N>,
+}
+
+impl<R: Real, const N: usize, const C: usize, const W: usize> Choice<R, N, C, W> {
+    /// The accelerations without those that are rounding errors of forces. What is at rest would get a
+    /// velocity from them that has no digits, and no scale to tell that.
+    pub(super) fn known_accelerations(&self) -> [R; N] {
+        array(|i| {
+            let (own, size) = (self.accelerations[i], self.sizes.accelerations[i]);
+            if above(own.abs(), rounding::<R>() * size) { own } else { own - own.part(0) }
+        })
+    }
 }
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>

@@ -131,7 +131,8 @@ where
             self.memory.way = Way::with(choice.accelerations);
             state.t = state.t.part(0); // Its variation is in `late`.
             let mut begin = *state;
-            shift(&mut begin, &choice.accelerations, late);
+            let gained = choice.known_accelerations();
+            shift(&mut begin, &gained, late);
             if let Some(grown) = grown.or_else(|| scene.grown(&choice, scales)) {
                 grown.take_on(state, late);
                 self.memory.way = grown.way;
@@ -139,10 +140,10 @@ where
             } else if choice.later.is_positive() {
                 let later = choice.later.part(0);
                 state.t += later;
-                shift(state, &choice.accelerations, late + later);
+                shift(state, &gained, late + later);
             } else {
                 state.v = choice.velocities;
-                shift(state, &choice.accelerations, late);
+                shift(state, &gained, late);
             }
             let in_regime = self.system.in_regime(&choice.regime);
             let before = state.q;
