@@ -141,7 +141,7 @@ where
         let borne = self.borne(course);
         let sharing = self.sharing();
         for guard in Self::every() {
-            if !self.has(guard) || sharing.is_some() && self.sticks_in_two_directions(guard) {
+            if !self.has(guard) || matches!(guard, Guard::Row(row) if sharing.get(row) == Some(&true)) {
                 continue;
             }
             let before = found.first.as_ref().map_or(found.until, |(fall, _)| fall.place);
@@ -178,7 +178,7 @@ where
                 }
             }
         }
-        if let Some(guard) = sharing {
+        if let Some(guard) = sharing.iter().position(|&shares| shares).map(Guard::Row) {
             let until = found.first.as_ref().map_or(found.until, |(fall, _)| fall.place);
             if let Some(fall) = self.shared(course, until) {
                 (found.first, found.is_shared) = (Some((fall, guard)), true);

@@ -28,7 +28,7 @@ use crate::number::real::{Ordered, Real};
 use crate::system::state::State;
 
 /// The most times that a time is lengthened or shortened.
-const TRIES: usize = 128;
+pub(super) const TRIES: usize = 128;
 
 /// The factor by which it is lengthened while the load has hardly grown. The first one is so many ulps of the
 /// time of the state.
@@ -277,7 +277,7 @@ where
     }
 
     /// A time that rounding hardly resolves \[s].
-    fn instant(&self) -> S::Scalar {
+    pub(super) fn instant(&self) -> S::Scalar {
         let ulp = S::Scalar::epsilon();
         S::Scalar::from_f64(FACTOR) * ulp * self.state.t.part(0).abs() + ulp.powi(4)
     }

@@ -5,7 +5,6 @@ use num_traits::Zero;
 use super::choice::Choice;
 use super::scene::{Scene, Status, above, entry, put, rounding};
 use super::trials::Part;
-use super::turning::has_pairs;
 use super::{Along, Coefficients, Regime, Row, Switching};
 use crate::number::elements::array;
 use crate::number::real::Real;
@@ -146,21 +145,5 @@ where
         put(&mut regime.active, row, false);
         put(&mut regime.slip, row, if against.is_positive() { one } else { -one });
         self.trial(regime)
-    }
-
-    /// The present regime where the load of a friction that sticks in two directions is shared with others:
-    /// at the limit of all shares nothing accelerates, and how the load goes on decides what slips. `None`
-    /// where the motion determines all reactions, and for other rows.
-    pub(super) fn sharing(
-        &self,
-        present: &Regime<S::Scalar, C, W>,
-        row: usize,
-    ) -> Option<Choice<S::Scalar, N, C, W>> {
-        let Some(Row::Friction { pair: Some(_), .. }) = S::ROWS.get(row) else { return None };
-        if const { !has_pairs(&S::ROWS) } || present.active.get(row) != Some(&true) {
-            return None;
-        }
-        let independence = self.balance(present, &self.state.v)?.0.independence;
-        if independence.rank < independence.rows { self.trial(*present) } else { None }
     }
 }

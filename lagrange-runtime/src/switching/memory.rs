@@ -46,8 +46,8 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) stuck: Option<Cause>,
     /// The guard that ended the piece before, which is zero where the next one starts.
     pub(super) fired: Option<Guard>,
-    /// The friction in one direction that has let go there.
-    pub(super) let_go: Option<usize>,
+    /// The frictions in one direction that have let go there.
+    pub(super) let_go: [bool; C],
     pub(super) scales: Scales<R, C>,
     /// Changes of the side of each kink since time has last passed, beyond rounding.
     pub(super) flips: [usize; W],
@@ -109,22 +109,15 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         (t == self.switched && self.next.is_some()).then(|| self.switched())
     }
 
-    /// Notes the contacts that have opened from one regime to the next, unless that was an impact, and
-    /// whether the friction whose guard has `fired` has let go.
-    pub(super) fn note_ends(
-        &mut self,
-        rows: &[Row; C],
-        before: &Regime<R, C, W>,
-        after: &Regime<R, C, W>,
-        fired: Option<usize>,
-    ) {
+    /// Notes the contacts that have opened from one regime to the next, and the frictions that have let go,
+    /// unless that was an impact.
+    pub(super) fn note_ends(&mut self, rows: &[Row; C], before: &Regime<R, C, W>, after: &Regime<R, C, W>) {
         let is_impact = self.impulses != [R::zero(); C];
-        self.let_go = fired.filter(|&row| {
+        for (row, (let_go, kind)) in self.let_go.iter_mut().zip(rows).enumerate() {
             let sticks = |regime: &Regime<R, C, W>| regime.active.get(row) == Some(&true);
-            matches!(rows.get(row), Some(Row::Friction { pair: None, .. }))
-                && sticks(before)
-                && !sticks(after)
-        });
+            let is_straight = matches!(kind, Row::Friction { pair: None, .. });
+            *let_go = !is_impact && is_straight && sticks(before) && !sticks(after);
+        }
         for (row, (opened, kind)) in self.opened.iter_mut().zip(rows).enumerate() {
             let bears = |regime: &Regime<R, C, W>| regime.active.get(row) == Some(&true);
             *opened |= *kind == Row::Unilateral && bears(before) && !bears(after);

@@ -29,6 +29,7 @@ mod kinks;
 mod known;
 mod launch;
 mod limits;
+mod loose;
 mod memory;
 mod nearest;
 mod pivoting;

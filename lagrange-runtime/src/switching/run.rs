@@ -96,12 +96,7 @@ where
             // A body that begins or lands rests on all its feet, even on those that bear nothing.
             let lands = self.memory.is_fresh || known.settled;
             let from = if lands { scene.touching(&present) } else { present };
-            let sharing = known.fired.and_then(|row| scene.sharing(&from, row));
-            let loosened = sharing.and_then(|stuck| Some((stuck, scene.loosened(&stuck, scales)?)));
-            let (mut choice, mut grown) = match loosened {
-                Some((stuck, grown)) => (stuck, Some(grown)),
-                None => (scene.choose(&from, known.fired)?, None),
-            };
+            let (mut choice, mut grown) = scene.follow(&from, known.fired, scales)?;
             if S::Scalar::PARTS > 1 && self.memory.is_fresh {
                 scene.touched_by_chance(&choice, self.limits.relative)?;
             }
@@ -242,7 +237,8 @@ where
                 self.memory.end = start;
                 at(&start, cause)
             })?;
-            (self.memory.fired, self.memory.let_go) = (found.as_ref().and_then(|event| event.guard), None);
+            (self.memory.fired, self.memory.let_go) =
+                (found.as_ref().and_then(|event| event.guard), [false; C]);
             self.memory.is_cut = found.is_some() && self.memory.fired.is_none();
             let Some(mut event) = found else {
                 // Kinks alone have no gaps, and no scales.
@@ -354,7 +350,7 @@ where
         shift(&mut state, &event.accelerations, varied);
         state.t += varied;
         let regime = self.settle(&mut state, present, known, event.late - varied)?;
-        self.memory.note_ends(&S::ROWS, &present, &regime, fired);
+        self.memory.note_ends(&S::ROWS, &present, &regime);
         self.memory.next = Some((regime, state));
         Ok(())
     }

@@ -79,7 +79,7 @@ where
         self.directions_of(guard).all(|direction| {
             let Some(curve) = self.curve(guard, direction, course, &ends.start) else { return false };
             // Others may bear what this friction does not: then its own guard tells nothing.
-            if curve.start() < num_traits::Zero::zero() && self.sticks_in_two_directions(guard) {
+            if curve.start() < num_traits::Zero::zero() && self.sticks(guard) {
                 return false;
             }
             let converges = if self.is_of_reactions(guard) {

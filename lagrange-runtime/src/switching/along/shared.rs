@@ -1,5 +1,4 @@
-//! Frictions that share a load: feet that stick in two directions, on which the load is spread in more than
-//! one way.
+//! Frictions that share a load: feet that stick, on which the load is spread in more than one way.
 //!
 //! The guards of such frictions are those of the shortest reactions. Where one of these reaches its limit,
 //! others may bear more, and the feet go on to stick as long as any shares of the load are possible. No
@@ -10,9 +9,12 @@ use super::super::Switching;
 use super::super::course::Course;
 use super::super::guards::{Guard, Guards, PLACES};
 use super::super::known::Known;
+use super::super::loose::is_shared;
 use super::super::scene::{Scales, Scene, Sticking};
 use super::super::turning::has_pairs;
+use crate::linear::SaddlePoint;
 use crate::motion::roots::Fall;
+use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
 use crate::system::state::State;
 
@@ -25,23 +27,33 @@ where
     S: Switching<N, K, C, W>,
     S::Scalar: Ordered,
 {
-    /// Whether a guard is that of a friction that sticks in two directions.
-    pub(super) fn sticks_in_two_directions(&self, guard: Guard) -> bool {
+    /// Whether a guard is that of a friction that sticks.
+    pub(super) fn sticks(&self, guard: Guard) -> bool {
         matches!(guard, Guard::Row(row)
-            if self.regime.active[row] && matches!(S::ROWS[row], Row::Friction { pair: Some(_), .. }))
+            if self.regime.active[row] && matches!(S::ROWS[row], Row::Friction { .. }))
     }
 
-    /// The first guard that is watched of the frictions that share a load; `None` where the motion determines
-    /// all reactions.
-    pub(super) fn sharing(&self) -> Option<Guard> {
-        if const { !has_pairs(&S::ROWS) } {
-            return None;
-        }
-        let first = self.all().find(|&guard| self.sticks_in_two_directions(guard))?;
+    /// The frictions that stick, are watched and share a load.
+    pub(super) fn sharing(&self) -> [bool; C] {
+        let mut sharing: [bool; C] = array(|row| {
+            let is_one = match S::ROWS[row] {
+                Row::Friction { pair, .. } => pair.is_some() || const { !has_pairs(&S::ROWS) },
+                _ => false,
+            };
+            is_one && self.regime.active[row] && self.has(Guard::Row(row))
+        });
         let State { t, q, v } = self.start;
-        let equations = S::equations_in(self.in_regime, *t, q, v, self.inputs)?;
-        let independence = equations.balance().independence;
-        (independence.rank < independence.rows).then_some(first)
+        if sharing.contains(&true)
+            && let Some(equations) = S::equations_in(self.in_regime, *t, q, v, self.inputs)
+            && !equations.saddle.is_independent()
+        {
+            for (row, shares) in sharing.iter_mut().enumerate().filter(|(_, shares)| **shares) {
+                *shares =
+                    const { has_pairs(&S::ROWS) } || is_shared(&equations.saddle, &equations.gradients, row);
+            }
+            return sharing;
+        }
+        [false; C]
     }
 
     /// Where the last possible shares are gone before a part of the step, as far as some places of it show.
@@ -52,9 +64,6 @@ where
         course: &Course<'_, S::Scalar, N>,
         until: S::Scalar,
     ) -> Option<Fall<S::Scalar>> {
-        if const { !has_pairs(&S::ROWS) } {
-            return None;
-        }
         let number = S::Scalar::from_f64;
         let holds = |place: S::Scalar| self.holds(&course.at(self.start, place)[0]);
         let mut low = num_traits::Zero::zero();

@@ -111,7 +111,7 @@ where
     }
 
     /// The state after a time with constant accelerations, on the constraints of a regime.
-    pub(super) fn moved(
+    pub(in crate::switching) fn moved(
         &self,
         in_regime: &S::InRegime,
         a: &[S::Scalar; N],

@@ -17,8 +17,8 @@ pub(in crate::switching) struct Watch<R, const C: usize, const W: usize> {
     /// Kinks that the motion has crossed where the step starts. Their guards are zero there: another kink may
     /// be crossed at the same time, so that roundings are all that is left of them.
     crossed: [bool; W],
-    /// The friction that has let go where the step starts.
-    let_go: Option<usize>,
+    /// The frictions that have let go where the step starts.
+    let_go: [bool; C],
     /// Rows and kinks whose guards are sampled, without a series that converges on the step.
     sampled: ([bool; C], [bool; W]),
 }
@@ -32,7 +32,7 @@ impl<R: Real, const C: usize, const W: usize> Watch<R, C, W> {
             directions: [R::zero(); C],
             kinks: [true; W],
             crossed: [false; W],
-            let_go: None,
+            let_go: [false; C],
             sampled,
         }
     }
@@ -79,14 +79,14 @@ where
         self.watch.crossed = flips.map(|flips| flips > 0);
     }
 
-    /// Notes the friction in one direction that has let go where the step starts.
-    pub(in crate::switching) fn let_go(&mut self, row: Option<usize>) {
-        self.watch.let_go = row;
+    /// Notes the frictions in one direction that have let go where the step starts.
+    pub(in crate::switching) fn let_go(&mut self, rows: &[bool; C]) {
+        self.watch.let_go = *rows;
     }
 
     /// Whether a guard is that of a friction that has let go where the step starts.
     pub(in crate::switching) fn has_let_go(&self, guard: Guard) -> bool {
-        matches!(guard, Guard::Row(row) if self.watch.let_go == Some(row))
+        matches!(guard, Guard::Row(row) if self.watch.let_go.get(row) == Some(&true))
     }
 
     /// Whether a guard is that of a kink that the motion has crossed where the step starts.

@@ -1,0 +1,124 @@
+//! Frictions that have stuck and shared a load, and let go.
+//!
+//! At the limit of all possible shares nothing accelerates yet, and no force tells which of the frictions slip
+//! then. How the load goes on does.
+
+use super::choice::Choice;
+use super::growing::{Grown, TRIES};
+use super::known::Known;
+use super::scene::{Scales, Scene, Status, above, entry};
+use super::turning::has_pairs;
+use super::{Regime, Row, Switching};
+use crate::linear::SaddlePoint;
+use crate::number::elements::{Each, array};
+use crate::number::real::{Ordered, Real};
+use crate::system::error::Cause;
+use crate::system::state::State;
+
+/// A choice, and the motion that follows it for a short time if slips in two directions begin.
+type Next<R, const N: usize, const C: usize, const W: usize> =
+    (Choice<R, N, C, W>, Option<Grown<R, N, C, W>>);
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+{
+    /// The regime that follows the present one, in which a guard may have fired.
+    ///
+    /// # Errors
+    /// Those of [`choose`](Self::choose).
+    pub(super) fn follow(
+        &self,
+        present: &Regime<S::Scalar, C, W>,
+        fired: Option<usize>,
+        scales: &Scales<S::Scalar, C>,
+    ) -> Result<Next<S::Scalar, N, C, W>, Cause> {
+        if let Some(stuck) = fired.and_then(|row| self.sharing(present, row)) {
+            if const { has_pairs(&S::ROWS) } {
+                if let Some(grown) = self.loosened(&stuck, scales) {
+                    return Ok((stuck, Some(grown)));
+                }
+            } else if let Some(choice) = self.let_loose(&stuck, scales) {
+                return Ok((choice, None));
+            }
+        }
+        Ok((self.choose(present, fired)?, None))
+    }
+
+    /// The present regime where the load of a friction that sticks is shared with others. `None` where the
+    /// motion determines its force, and for other rows.
+    fn sharing(&self, present: &Regime<S::Scalar, C, W>, row: usize) -> Option<Choice<S::Scalar, N, C, W>> {
+        let Some(Row::Friction { pair, .. }) = S::ROWS.get(row) else { return None };
+        if const { has_pairs(&S::ROWS) } && pair.is_none() || present.active.get(row) != Some(&true) {
+            return None;
+        }
+        let State { t, q, v } = &self.state;
+        let equations = S::equations_in(&self.system.in_regime(present), *t, q, v, self.inputs)?;
+        let is_shared = !equations.saddle.is_independent()
+            && (pair.is_some() || is_shared(&equations.saddle, &equations.gradients, row));
+        if is_shared { self.trial(*present) } else { None }
+    }
+
+    /// The regime in which frictions along one direction slip that have shared a load until now: that of the
+    /// first later time at which it drives all slips that begin, and twice as much as at half of that time.
+    #[cold]
+    fn let_loose(
+        &self,
+        stuck: &Choice<S::Scalar, N, C, W>,
+        scales: &Scales<S::Scalar, C>,
+    ) -> Option<Choice<S::Scalar, N, C, W>> {
+        let half = S::Scalar::from_f64(0.5);
+        let mut later = self.instant();
+        for _ in 0..TRIES {
+            if let Some((regime, part)) = self.loose_at(stuck, scales, later)
+                && above(part, S::Scalar::epsilon().sqrt())
+            {
+                let (before, middle) = self.loose_at(stuck, scales, half * later)?;
+                let is_even = !above((middle - half * part).abs(), S::Scalar::from_f64(0.1) * part);
+                return if before == regime && is_even { self.trial(regime) } else { None };
+            }
+            later *= S::Scalar::from_f64(4.0);
+        }
+        None
+    }
+
+    /// The regime at a later time \[s] until which frictions stick, and the least acceleration of a slip that
+    /// begins then as a part of what forces could give it. `None` where none begins.
+    fn loose_at(
+        &self,
+        stuck: &Choice<S::Scalar, N, C, W>,
+        scales: &Scales<S::Scalar, C>,
+        later: S::Scalar,
+    ) -> Option<(Regime<S::Scalar, C, W>, S::Scalar)> {
+        let in_regime = self.system.in_regime(&stuck.regime);
+        let state = self.moved(&in_regime, &stuck.accelerations, later)?;
+        let rested = array(|row| match self.status[row] {
+            Status::Touches => stuck.regime.active[row],
+            status => status == Status::Rests,
+        });
+        let known = Known { rested, ..Known::settled(self.is_closed) };
+        let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
+        let there = scene.choose(&stuck.regime, None).ok()?;
+        let begins = |row: &usize| {
+            entry(&there.regime.slip, *row) != num_traits::Zero::zero() && scene.status[*row] == Status::Rests
+        };
+        let parts = (0..C).filter(begins).map(|row| {
+            let strength = scene.extent_of(row, &there.sizes.accelerations);
+            (scene.rate(row, &there.accelerations).abs() / strength).part(0)
+        });
+        let least = parts.reduce(|least, part| if above(least, part) { part } else { least })?;
+        Some((there.regime, least))
+    }
+}
+
+/// Whether the motion does not determine the reaction of a row: other reactions give the same forces.
+pub(super) fn is_shared<R: Real, const N: usize, const C: usize>(
+    saddle: &impl SaddlePoint<R, N, C>,
+    gradients: &[[R; N]; C],
+    row: usize,
+) -> bool {
+    let Some(gradient) = gradients.get(row) else { return false };
+    let (_, shortest) = saddle.solve(&gradient.each(|entry: R| -entry), &[R::zero(); C]);
+    above((R::one() - entry(&shortest, row)).abs(), R::epsilon().sqrt())
+}
