@@ -179,7 +179,11 @@ where
             }
         }
         if let Some(guard) = sharing.iter().position(|&shares| shares).map(Guard::Row) {
-            let until = found.first.as_ref().map_or(found.until, |(fall, _)| fall.place);
+            let before = found.first.as_ref().map_or(found.until, |(fall, _)| fall.place);
+            let until = if borne.is_known { before } else { smaller(before, self.followed(course)) };
+            if until < before {
+                found = Found { first: None, is_shared: false, until };
+            }
             if let Some(fall) = self.shared(course, until) {
                 (found.first, found.is_shared) = (Some((fall, guard)), true);
             }

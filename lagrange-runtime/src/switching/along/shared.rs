@@ -13,9 +13,9 @@ use super::super::loose::is_shared;
 use super::super::scene::{Scales, Scene, Sticking};
 use super::super::turning::has_pairs;
 use crate::linear::SaddlePoint;
-use crate::motion::roots::Fall;
+use crate::motion::roots::{Fall, reach};
 use crate::number::elements::array;
-use crate::number::real::{Ordered, Real};
+use crate::number::real::{Ordered, Real, smaller};
 use crate::system::state::State;
 
 /// How often the part of the step is halved in which shares cease to be possible. Halving ends where places
@@ -54,6 +54,16 @@ where
             return sharing;
         }
         [false; C]
+    }
+
+    /// The part of the step on which the series of all reactions converge. There a load has no more turns than
+    /// a search sees.
+    pub(super) fn followed(&self, course: &Course<'_, S::Scalar, N>) -> S::Scalar {
+        let reaches = (0..C).filter_map(|row| {
+            let curve = course.curve_of_reaction(row, C).filter(|_| self.regime.active[row])?;
+            Some(reach(&curve, course.order().saturating_sub(1), course.left.sqrt()))
+        });
+        reaches.fold(num_traits::One::one(), smaller)
     }
 
     /// Where the last possible shares are gone before a part of the step, as far as some places of it show.
