@@ -126,13 +126,18 @@ where
         })
     }
 
-    /// A regime with the contacts that touch closed.
+    /// A regime with the contacts that touch closed, and friction at rest sticking.
     pub(super) fn touching(&self, present: &Regime<S::Scalar, C, W>) -> Regime<S::Scalar, C, W> {
         let mut regime = *present;
-        for (row, active) in regime.active.iter_mut().enumerate() {
-            *active = *active
-                || S::ROWS.get(row) == Some(&Row::Unilateral)
-                    && self.status.get(row) == Some(&Status::Touches);
+        for (row, (kind, status)) in S::ROWS.iter().zip(&self.status).enumerate() {
+            match (kind, status) {
+                (Row::Unilateral, Status::Touches) => put(&mut regime.active, row, true),
+                (Row::Friction { .. }, Status::Rests) => {
+                    put(&mut regime.active, row, true);
+                    put(&mut regime.slip, row, num_traits::Zero::zero());
+                }
+                _ => {}
+            }
         }
         regime
     }
@@ -175,6 +180,10 @@ where
         if !slow.contains(&true) {
             return None;
         }
+        let before = struck.map_or([zero; C], |(_, impulses)| *impulses);
+        if let Some((v, impulses)) = self.all_at_rest(scales, tolerance) {
+            return Some((v, array(|row| before[row] + impulses[row])));
+        }
         if let Some(landed) = struck.and_then(|(before, _)| before.landing(&slow)) {
             return Some(landed);
         }
@@ -214,7 +223,45 @@ where
                 _ => entry(&all, row),
             });
         }
-        let before = struck.map_or([zero; C], |(_, impulses)| *impulses);
         Some((v, array(|row| before[row] + impulses[row])))
+    }
+
+    /// The velocities with all closed contacts and their frictions at rest, and the impulses that bring them
+    /// there. `None` where the tolerance can tell that one of them moves, or where they would not stay at
+    /// rest.
+    ///
+    /// Parts that rattle on each other, as a tower that has rocked, may never open one contact for longer
+    /// than others. They come to rest together.
+    #[cold]
+    fn all_at_rest(
+        &self,
+        scales: &Scales<S::Scalar, C>,
+        tolerance: S::Scalar,
+    ) -> Option<Struck<S::Scalar, N, C>> {
+        let rates = &self.laws.rows.rates;
+        let is_closed = |row: usize| self.is_closed.get(row) == Some(&true);
+        let holds: [bool; C] = array(|row| match S::ROWS[row] {
+            Row::Friction { normal: Some(normal), .. } => is_closed(normal) && !self.is_frictionless(row),
+            _ => is_closed(row),
+        });
+        let mut rows = holds.iter().enumerate().filter(|(_, holds)| **holds);
+        let is_slow =
+            |row: usize| !above(rates[row].abs(), tolerance * most(scales.impacts[row], scales.speeds[row]));
+        if !rows.all(|(row, _)| is_slow(row)) {
+            return None;
+        }
+        let open = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
+        let closed = Regime { active: array(|row| open.active[row] || holds[row]), ..open };
+        let State { t, q, v } = &self.state;
+        let equations = S::equations_in(&self.system.in_regime(&closed), *t, q, v, self.inputs)?;
+        let wanted = array(|row| if holds[row] { -rates[row] } else { num_traits::Zero::zero() });
+        let (change, impulses) = equations.saddle.solve(&[num_traits::Zero::zero(); N], &wanted);
+        let v = array(|i| v[i] + change[i]);
+        let known = Known { rested: holds, ..Known::settled(self.is_closed) };
+        let state = State { v, ..self.state };
+        let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
+        let choice = scene.choose(&closed, None).ok()?;
+        let stays = choice.regime.active.iter().zip(&holds).all(|(active, holds)| *active || !holds);
+        stays.then_some((v, impulses))
     }
 }
