@@ -8,9 +8,7 @@
 //! Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapters 5 and 7.
 
 use super::scene::{Scene, Status, Sticking, above, entry, most, put, rounding};
-use super::trials::{
-    COMBINATIONS, FEW, Options, Part, changes, combinations, combine, parts_at, regime, thresholds,
-};
+use super::trials::{FEW, Options, Part, changes, combinations, combine, parts_at, regime, thresholds};
 use super::turning::has_pairs;
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
@@ -135,11 +133,13 @@ where
         let is_coupled = S::ROWS.iter().zip(&self.status).any(|(row, &status)| {
             matches!(row, Row::Friction { normal: Some(_), .. }) && status != Status::Apart
         });
-        // Reactions that drive friction may have several solutions. All combinations tell, if they can be
-        // counted.
-        let are_many = combinations(&options) > if is_coupled { COMBINATIONS - 1 } else { FEW };
-        if are_many && let Some(found) = self.pivoted(&options, decided, fired) {
-            return Ok(found);
+        if combinations(&options) > FEW
+            && let Some((chosen, part)) = self.pivoted(&options, decided)
+        {
+            if is_coupled && let Some(constraint) = self.another(&chosen, &options, part, decided) {
+                return Err(Cause::SeveralReactions { constraint, name: S::NAMES.constraint(constraint) });
+            }
+            return Ok(self.held_if_it_can(chosen, part, decided, fired));
         }
         let mut cause = Cause::NotFinite;
         for part in thresholds() {

@@ -10,7 +10,7 @@
 //! Comput. Oper. Res. 21, 1994). Friction that reactions drive, and slips in two directions, change in the
 //! same way. What is found is examined like every other combination.
 
-use super::choice::Choice;
+use super::choice::{Choice, is_limit};
 use super::scene::{Scene, entry, put};
 use super::trials::{COMBINATIONS, Options, Part, regime, thresholds};
 use super::{Row, Switching};
@@ -24,17 +24,37 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// A regime among these options that agrees with its consequences. `None` where none is found.
+    /// A regime among these options that agrees with its consequences, and the part of sizes up to which it
+    /// does. `None` where none is found.
     #[cold]
     pub(super) fn pivoted(
         &self,
         options: &[Options; C],
         decided: Option<usize>,
-        fired: Option<usize>,
-    ) -> Option<Choice<S::Scalar, N, C, W>> {
-        thresholds().into_iter().find_map(|part| {
-            let chosen = self.pivot(options, part, decided)?;
-            Some(self.held_if_it_can(chosen, part, decided, fired))
+    ) -> Option<(Choice<S::Scalar, N, C, W>, S::Scalar)> {
+        thresholds().into_iter().find_map(|part| Some((self.pivot(options, part, decided)?, part)))
+    }
+
+    /// The first contact or constraint that reacts otherwise in another regime that agrees with its
+    /// consequences as well. Each reaction that drives friction is tried the other way, while all other rows
+    /// may change.
+    #[cold]
+    pub(super) fn another(
+        &self,
+        chosen: &Choice<S::Scalar, N, C, W>,
+        options: &[Options; C],
+        part: S::Scalar,
+        decided: Option<usize>,
+    ) -> Option<usize> {
+        let present: [Part; C] = array(|row| Part::of(row, S::ROWS[row], &chosen.regime));
+        let near: [Options; C] = array(|row| options[row].with(present[row], true));
+        (0..C).filter(|&row| is_limit(&S::ROWS, row)).find_map(|row| {
+            let way = [Part::On, Part::Against, Part::Off].into_iter().find(|&way| {
+                way != entry_of(&present, row) && options.get(row).is_some_and(|options| options.has(way))
+            });
+            let mut other = near;
+            put(&mut other, row, Options::new(&[way?]));
+            self.differs(chosen, &self.pivot(&other, part, decided)?)
         })
     }
 

@@ -7,7 +7,7 @@
 
 use super::course::Course;
 use super::guards::Guards;
-use super::scene::{against, entry, most, product, rounding};
+use super::scene::{against, entry, most, product, put, rounding};
 use super::{Regime, Row, Switching};
 use crate::constraints::{Balance, Equations};
 use crate::linear::{SaddlePoint, Switched};
@@ -44,24 +44,30 @@ impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
 
     /// The coordinates that each row affects. A row that `drives` friction may affect any of them through it.
     fn reach(&self, drives: impl Fn(usize) -> bool) -> Reach<N, C> {
-        let mut reach = array(|row| {
-            let drives = drives(row);
-            self.rows[row].each(|entry| drives || entry != R::zero())
-        });
-        for _ in 1..C {
-            let last = reach;
-            for own in &mut reach {
-                for other in &last {
-                    if (0..N).any(|i| own[i] && other[i]) {
-                        *own = array(|i| own[i] || other[i]);
-                    }
+        let drives: [bool; C] = array(drives);
+        let affects = |row: usize, i: usize| drives[row] || self.rows[row][i] != R::zero();
+        // Coordinates that rows join have the same label, the least index of them.
+        let mut labels: [usize; N] = array(|i| i);
+        for row in 0..C {
+            let mut own =
+                labels.iter().enumerate().filter(|(i, _)| affects(row, *i)).map(|(_, &label)| label);
+            let Some(first) = own.next() else { continue };
+            let mut joined = [false; N];
+            put(&mut joined, first, true);
+            let least = own.fold(first, |least, label| {
+                put(&mut joined, label, true);
+                least.min(label)
+            });
+            for label in &mut labels {
+                if joined.get(*label) == Some(&true) {
+                    *label = least;
                 }
             }
-            if reach == last {
-                break;
-            }
         }
-        reach
+        array(|row| {
+            let own = (0..N).find(|&i| affects(row, i)).and_then(|i| labels.get(i));
+            labels.each(|label| own == Some(&label))
+        })
     }
 
     /// The sizes of forces with those of reactions.
