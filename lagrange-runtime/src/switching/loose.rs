@@ -46,22 +46,27 @@ where
         Ok((self.choose(present, fired)?, None))
     }
 
-    /// The present regime where the load of a friction that sticks is shared with others. `None` where the
-    /// motion determines its force, and for other rows.
+    /// The present regime where the load of a friction that sticks, or of a contact that bears, is shared with
+    /// others. `None` where the motion determines its force, and for other rows.
     fn sharing(&self, present: &Regime<S::Scalar, C, W>, row: usize) -> Option<Choice<S::Scalar, N, C, W>> {
-        let Some(Row::Friction { pair, .. }) = S::ROWS.get(row) else { return None };
-        if const { has_pairs(&S::ROWS) } && pair.is_none() || present.active.get(row) != Some(&true) {
+        let in_pair = match S::ROWS.get(row)? {
+            Row::Friction { pair, .. } => pair.is_some(),
+            Row::Unilateral => false,
+            Row::Bilateral | Row::Load => return None,
+        };
+        if const { has_pairs(&S::ROWS) } && !in_pair || present.active.get(row) != Some(&true) {
             return None;
         }
         let State { t, q, v } = &self.state;
         let equations = S::equations_in(&self.system.in_regime(present), *t, q, v, self.inputs)?;
         let is_shared = !equations.saddle.is_independent()
-            && (pair.is_some() || is_shared(&equations.saddle, &equations.gradients, row));
+            && (in_pair || is_shared(&equations.saddle, &equations.gradients, row));
         if is_shared { self.trial(*present) } else { None }
     }
 
-    /// The regime in which frictions along one direction slip that have shared a load until now: that of the
-    /// first later time at which it drives all slips that begin, and twice as much as at half of that time.
+    /// The regime in which frictions along one direction slip, or contacts open, that have shared a load until
+    /// now: that of the first later time at which it drives all of them, and twice as much as at half of that
+    /// time.
     #[cold]
     fn let_loose(
         &self,
@@ -83,8 +88,8 @@ where
         None
     }
 
-    /// The regime at a later time \[s] until which frictions stick, and the least acceleration of a slip that
-    /// begins then as a part of what forces could give it. `None` where none begins.
+    /// The regime at a later time \[s] until which all goes on, and the least acceleration of a slip that begins
+    /// then, or of a gap that opens, as a part of what forces could give it. `None` where none does.
     fn loose_at(
         &self,
         stuck: &Choice<S::Scalar, N, C, W>,
@@ -100,8 +105,13 @@ where
         let known = Known { rested, ..Known::settled(self.is_closed) };
         let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
         let there = scene.choose(&stuck.regime, None).ok()?;
-        let begins = |row: &usize| {
-            entry(&there.regime.slip, *row) != num_traits::Zero::zero() && scene.status[*row] == Status::Rests
+        let begins = |row: &usize| match S::ROWS[*row] {
+            Row::Friction { .. } => {
+                let slips = entry(&there.regime.slip, *row) != num_traits::Zero::zero();
+                slips && scene.status[*row] == Status::Rests
+            }
+            Row::Unilateral => stuck.regime.active[*row] && !there.regime.active[*row],
+            Row::Bilateral | Row::Load => false,
         };
         let parts = (0..C).filter(begins).map(|row| {
             let strength = scene.extent_of(row, &there.sizes.accelerations);

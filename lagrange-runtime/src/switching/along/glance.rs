@@ -78,8 +78,8 @@ where
     ) -> bool {
         self.directions_of(guard).all(|direction| {
             let Some(curve) = self.curve(guard, direction, course, &ends.start) else { return false };
-            // Others may bear what this friction does not: then its own guard tells nothing.
-            if curve.start() < num_traits::Zero::zero() && self.sticks(guard) {
+            // Others may bear what this one does not: then its own guard tells nothing.
+            if curve.start() < num_traits::Zero::zero() && self.may_share(guard) {
                 return false;
             }
             let converges = if self.is_of_reactions(guard) {

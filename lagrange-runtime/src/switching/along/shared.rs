@@ -1,4 +1,4 @@
-//! Frictions that share a load: feet that stick, on which the load is spread in more than one way.
+//! Contacts and frictions that share a load: feet that stick, on which the load is spread in more than one way.
 //!
 //! The guards of such frictions are those of the shortest reactions. Where one of these reaches its limit,
 //! others may bear more, and the feet go on to stick as long as any shares of the load are possible. No
@@ -27,18 +27,19 @@ where
     S: Switching<N, K, C, W>,
     S::Scalar: Ordered,
 {
-    /// Whether a guard is that of a friction that sticks.
-    pub(super) fn sticks(&self, guard: Guard) -> bool {
+    /// Whether a guard is that of a reaction that may share a load.
+    pub(super) fn may_share(&self, guard: Guard) -> bool {
         matches!(guard, Guard::Row(row)
-            if self.regime.active[row] && matches!(S::ROWS[row], Row::Friction { .. }))
+            if self.regime.active[row] && matches!(S::ROWS[row], Row::Friction { .. } | Row::Unilateral))
     }
 
-    /// The frictions that stick, are watched and share a load.
+    /// The frictions that stick and the contacts that bear, are watched and share a load.
     pub(super) fn sharing(&self) -> [bool; C] {
         let mut sharing: [bool; C] = array(|row| {
             let is_one = match S::ROWS[row] {
                 Row::Friction { pair, .. } => pair.is_some() || const { !has_pairs(&S::ROWS) },
-                _ => false,
+                Row::Unilateral => const { !has_pairs(&S::ROWS) },
+                Row::Bilateral | Row::Load => false,
             };
             is_one && self.regime.active[row] && self.has(Guard::Row(row))
         });
