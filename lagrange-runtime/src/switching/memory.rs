@@ -46,7 +46,7 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) stuck: Option<Cause>,
     /// The guard that ended the piece before, which is zero where the next one starts.
     pub(super) fired: Option<Guard>,
-    /// The frictions in one direction that have let go there.
+    /// The frictions in one direction whose slips begin there, from zero.
     pub(super) let_go: [bool; C],
     pub(super) scales: Scales<R, C>,
     /// Changes of the side of each kink since time has last passed, beyond rounding.
@@ -109,14 +109,19 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         (t == self.switched && self.next.is_some()).then(|| self.switched())
     }
 
-    /// Notes the contacts that have opened from one regime to the next, and the frictions that have let go,
-    /// unless that was an impact.
-    pub(super) fn note_ends(&mut self, rows: &[Row; C], before: &Regime<R, C, W>, after: &Regime<R, C, W>) {
+    /// Notes the contacts that have opened from one regime to the next where a row has `fired`, and the
+    /// frictions whose slips begin, unless that was an impact.
+    pub(super) fn note_ends(
+        &mut self,
+        rows: &[Row; C],
+        [before, after]: [&Regime<R, C, W>; 2],
+        fired: Option<usize>,
+    ) {
         let is_impact = self.impulses != [R::zero(); C];
         for (row, (let_go, kind)) in self.let_go.iter_mut().zip(rows).enumerate() {
             let sticks = |regime: &Regime<R, C, W>| regime.active.get(row) == Some(&true);
             let is_straight = matches!(kind, Row::Friction { pair: None, .. });
-            *let_go = !is_impact && is_straight && sticks(before) && !sticks(after);
+            *let_go = !is_impact && is_straight && (sticks(before) || fired == Some(row)) && !sticks(after);
         }
         for (row, (opened, kind)) in self.opened.iter_mut().zip(rows).enumerate() {
             let bears = |regime: &Regime<R, C, W>| regime.active.get(row) == Some(&true);

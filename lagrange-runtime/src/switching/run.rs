@@ -350,7 +350,7 @@ where
         shift(&mut state, &event.accelerations, varied);
         state.t += varied;
         let regime = self.settle(&mut state, present, known, event.late - varied)?;
-        self.memory.note_ends(&S::ROWS, &present, &regime);
+        self.memory.note_ends(&S::ROWS, [&present, &regime], fired);
         self.memory.next = Some((regime, state));
         Ok(())
     }

@@ -17,7 +17,7 @@ pub(in crate::switching) struct Watch<R, const C: usize, const W: usize> {
     /// Kinks that the motion has crossed where the step starts. Their guards are zero there: another kink may
     /// be crossed at the same time, so that roundings are all that is left of them.
     crossed: [bool; W],
-    /// The frictions that have let go where the step starts.
+    /// The frictions in one direction whose slips begin where the step starts.
     let_go: [bool; C],
     /// Rows and kinks whose guards are sampled, without a series that converges on the step.
     sampled: ([bool; C], [bool; W]),
@@ -79,12 +79,12 @@ where
         self.watch.crossed = flips.map(|flips| flips > 0);
     }
 
-    /// Notes the frictions in one direction that have let go where the step starts.
+    /// Notes the frictions in one direction whose slips begin where the step starts.
     pub(in crate::switching) fn let_go(&mut self, rows: &[bool; C]) {
         self.watch.let_go = *rows;
     }
 
-    /// Whether a guard is that of a friction that has let go where the step starts.
+    /// Whether a guard is that of a friction whose slip begins where the step starts.
     pub(in crate::switching) fn has_let_go(&self, guard: Guard) -> bool {
         matches!(guard, Guard::Row(row) if self.watch.let_go.get(row) == Some(&true))
     }
