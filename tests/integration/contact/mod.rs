@@ -26,6 +26,7 @@ mod linkages;
 mod nested;
 mod normals;
 mod onsets;
+mod piles;
 mod random;
 mod reactions;
 mod refused;
