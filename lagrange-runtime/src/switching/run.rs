@@ -339,7 +339,9 @@ where
             self.complete(guard, &mut event.accelerations, state.t);
             event.go_back();
         }
-        let known = Known { fired, opened: self.memory.opened, ..Known::new(present.active) };
+        // What has held is at rest, whatever the roundings of its rate are. At a kink the rate may jump.
+        let rested = if fired.is_some() { present.active } else { [false; C] };
+        let known = Known { fired, rested, opened: self.memory.opened, ..Known::new(present.active) };
         let varied = if S::Scalar::PARTS > 1 && regime_ends {
             let a = &event.accelerations;
             self.varied(guard, &state, a, |run, state| run.settle(state, present, known, event.late))?
