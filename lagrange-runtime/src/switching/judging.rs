@@ -40,6 +40,8 @@ where
         let sizes = if is_whole { levelled } else { trial.sizes };
         let scale = move |row: usize| self.borne(row, &sizes.forces);
         let agrees = move |row: usize, kind: Row| {
+            let is_active = trial.regime.active.get(row) == Some(&true);
+            let status = self.status.get(row).copied().unwrap_or(Status::Holds);
             let reaction = entry(&trial.multipliers, row);
             let slack = part * scale(row);
             let rate = self.rate(row, &trial.accelerations);
@@ -48,7 +50,7 @@ where
             // Rows that depend on each other may demand contradictory things. Where nothing pulls,
             // accelerations are rounding errors; those that friction could prevent are the measure of them.
             let prevented = match (kind, self.gradients.get(row)) {
-                (Row::Friction { normal, .. }, Some(own)) if trial.regime.active[row] => {
+                (Row::Friction { normal, .. }, Some(own)) if is_active => {
                     self.limit(row, normal, &trial.multipliers).abs() * self.effect(row, own)
                 }
                 _ => zero,
@@ -57,17 +59,17 @@ where
             // couple.
             let inexact = most(part, S::Scalar::epsilon().sqrt()) * (play / part + prevented)
                 + rounding::<S::Scalar>() * self.extent_of(row, &levelled.accelerations);
-            if trial.regime.active[row] && above(rate.abs(), inexact) {
+            if is_active && above(rate.abs(), inexact) {
                 return false;
             }
-            match (kind, parts[row]) {
+            match (kind, parts.get(row).copied().unwrap_or(Part::Off)) {
                 (Row::Bilateral, part) if is_limit(&S::ROWS, row) => {
                     let side = if part == Part::Against { -reaction } else { reaction };
                     !above(-slack, side)
                 }
                 (Row::Unilateral, Part::On) => !above(-slack, reaction),
-                (Row::Unilateral, _) if self.status[row] != Status::Apart => !above(-play, rate),
-                (Row::Friction { normal, pair }, _) if trial.regime.active[row] => {
+                (Row::Unilateral, _) if status != Status::Apart => !above(-play, rate),
+                (Row::Friction { normal, pair }, _) if is_active => {
                     let limit = self.limit(row, normal, &trial.multipliers);
                     let (other, slack) = match pair {
                         Some(other) => (entry(&trial.multipliers, other), most(slack, part * scale(other))),
@@ -76,9 +78,9 @@ where
                     !above(reaction.hypot(other), limit * (S::Scalar::from_f64(1.0) + part) + slack)
                 }
                 (Row::Friction { pair, .. }, _) => {
-                    let slip = trial.regime.slip[row];
+                    let slip = entry(&trial.regime.slip, row);
                     match pair {
-                        _ if slip == zero || self.status[row] != Status::Rests => true,
+                        _ if slip == zero || status != Status::Rests => true,
                         None => !above(-play, slip * rate),
                         Some(other) => {
                             let [x, y] = [row, other].each(|row| self.rate_at(row, &trial.velocities));

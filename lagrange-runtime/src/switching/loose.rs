@@ -1,7 +1,7 @@
 //! Frictions that have stuck and shared a load, and let go.
 //!
-//! At the limit of all possible shares nothing accelerates yet, and no force tells which of the frictions slip
-//! then. How the load goes on does.
+//! At the limit of all possible shares nothing accelerates yet, and no force tells which of the frictions
+//! slip then. How the load goes on does.
 
 use super::choice::Choice;
 use super::growing::{Grown, TRIES};
@@ -46,8 +46,8 @@ where
         Ok((self.choose(present, fired)?, None))
     }
 
-    /// The present regime where the load of a friction that sticks, or of a contact that bears, is shared with
-    /// others. `None` where the motion determines its force, and for other rows.
+    /// The present regime where the load of a friction that sticks, or of a contact that bears, is shared
+    /// with others. `None` where the motion determines its force, and for other rows.
     fn sharing(&self, present: &Regime<S::Scalar, C, W>, row: usize) -> Option<Choice<S::Scalar, N, C, W>> {
         let in_pair = match S::ROWS.get(row)? {
             Row::Friction { pair, .. } => pair.is_some(),
@@ -64,9 +64,9 @@ where
         if is_shared { self.trial(*present) } else { None }
     }
 
-    /// The regime in which frictions along one direction slip, or contacts open, that have shared a load until
-    /// now: that of the first later time at which it drives all of them, and twice as much as at half of that
-    /// time.
+    /// The regime in which frictions along one direction slip, or contacts open, that have shared a load
+    /// until now: that of the first later time at which it drives all of them, and twice as much as at half
+    /// of that time.
     #[cold]
     fn let_loose(
         &self,
@@ -88,8 +88,8 @@ where
         None
     }
 
-    /// The regime at a later time \[s] until which all goes on, and the least acceleration of a slip that begins
-    /// then, or of a gap that opens, as a part of what forces could give it. `None` where none does.
+    /// The regime at a later time \[s] until which all goes on, and the least acceleration of a slip that
+    /// begins then, or of a gap that opens, as a part of what forces could give it. `None` where none does.
     fn loose_at(
         &self,
         stuck: &Choice<S::Scalar, N, C, W>,
@@ -98,20 +98,21 @@ where
     ) -> Option<(Regime<S::Scalar, C, W>, S::Scalar)> {
         let in_regime = self.system.in_regime(&stuck.regime);
         let state = self.moved(&in_regime, &stuck.accelerations, later)?;
-        let rested = array(|row| match self.status[row] {
-            Status::Touches => stuck.regime.active[row],
-            status => status == Status::Rests,
+        let is_active = |regime: &Regime<S::Scalar, C, W>, row: usize| regime.active.get(row) == Some(&true);
+        let rested = array(|row| match self.status.get(row) {
+            Some(Status::Touches) => is_active(&stuck.regime, row),
+            status => status == Some(&Status::Rests),
         });
         let known = Known { rested, ..Known::settled(self.is_closed) };
         let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
         let there = scene.choose(&stuck.regime, None).ok()?;
-        let begins = |row: &usize| match S::ROWS[*row] {
-            Row::Friction { .. } => {
+        let begins = |row: &usize| match S::ROWS.get(*row) {
+            Some(Row::Friction { .. }) => {
                 let slips = entry(&there.regime.slip, *row) != num_traits::Zero::zero();
-                slips && scene.status[*row] == Status::Rests
+                slips && scene.status.get(*row) == Some(&Status::Rests)
             }
-            Row::Unilateral => stuck.regime.active[*row] && !there.regime.active[*row],
-            Row::Bilateral | Row::Load => false,
+            Some(Row::Unilateral) => is_active(&stuck.regime, *row) && !is_active(&there.regime, *row),
+            _ => false,
         };
         let parts = (0..C).filter(begins).map(|row| {
             let strength = scene.extent_of(row, &there.sizes.accelerations);

@@ -5,8 +5,8 @@
 //! not agree with its consequences change at once; that is Newton's method. It may go round in circles. After
 //! some turns without fewer such rows, only the last of them changes, until they become fewer: those single
 //! changes end at the solution of every problem with a positive definite matrix (K. G. Murty, "Note on a
-//! Bard-type scheme for solving the complementarity problem", Opsearch 11, 1974; J. J. Júdice, F. M. Pires, "A
-//! block principal pivoting algorithm for large-scale strictly monotone linear complementarity problems",
+//! Bard-type scheme for solving the complementarity problem", Opsearch 11, 1974; J. J. Júdice, F. M. Pires,
+//! "A block principal pivoting algorithm for large-scale strictly monotone linear complementarity problems",
 //! Comput. Oper. Res. 21, 1994). Friction that reactions drive, and slips in two directions, change in the
 //! same way. What is found is examined like every other combination.
 
@@ -14,7 +14,7 @@ use super::choice::{Choice, is_limit};
 use super::scene::{Scene, entry, put};
 use super::trials::{COMBINATIONS, Options, Part, regime, thresholds};
 use super::{Row, Switching};
-use crate::number::elements::{Each, array};
+use crate::number::elements::Each;
 use crate::number::real::Real;
 
 /// The turns without fewer faults after which single rows change, as Júdice and Pires have it.
@@ -46,8 +46,12 @@ where
         part: S::Scalar,
         decided: Option<usize>,
     ) -> Option<usize> {
-        let present: [Part; C] = array(|row| Part::of(row, S::ROWS[row], &chosen.regime));
-        let near: [Options; C] = array(|row| options[row].with(present[row], true));
+        let (mut present, mut near) = ([Part::Off; C], *options);
+        let rows = S::ROWS.iter().enumerate().zip(present.iter_mut().zip(&mut near));
+        for ((row, &kind), (present, near)) in rows {
+            *present = Part::of(row, kind, &chosen.regime);
+            *near = near.with(*present, true);
+        }
         (0..C).filter(|&row| is_limit(&S::ROWS, row)).find_map(|row| {
             let way = [Part::On, Part::Against, Part::Off].into_iter().find(|&way| {
                 way != entry_of(&present, row) && options.get(row).is_some_and(|options| options.has(way))
@@ -58,6 +62,7 @@ where
         })
     }
 
+    /// The same up to one part, from the first activity of each row.
     fn pivot(
         &self,
         options: &[Options; C],
@@ -69,12 +74,14 @@ where
         let mut single = None;
         for turn in 0..COMBINATIONS {
             // Friction of an open contact begins anew where the contact closes.
-            parts = array(|row| match S::ROWS[row] {
-                Row::Friction { normal: Some(normal), .. } if entry_of(&parts, normal) == Part::Off => {
-                    options[row].first()
+            let is_open: [bool; C] = parts.each(|part| part == Part::Off);
+            for (part, (kind, options)) in parts.iter_mut().zip(S::ROWS.iter().zip(options)) {
+                if let Row::Friction { normal: Some(normal), .. } = kind
+                    && is_open.get(*normal) == Some(&true)
+                {
+                    *part = options.first();
                 }
-                _ => parts[row],
-            });
+            }
             let regime = regime(&S::ROWS, &parts, options, &[false; C], self.kinks)?;
             let trial = self.trial(regime)?;
             let faults = || self.faults(&parts, &trial, part, decided);
@@ -84,7 +91,7 @@ where
             }
             let mut next = parts;
             let mut change = |row: usize| {
-                let turned = self.turned(row, parts[row], options, &trial.multipliers);
+                let turned = self.turned(row, entry_of(&parts, row), options, &trial.multipliers);
                 turned.map(|turned| put(&mut next, row, turned)).is_some()
             };
             let has_changed = if count < fewest || patience > 0 {

@@ -44,29 +44,26 @@ impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
 
     /// The coordinates that each row affects. A row that `drives` friction may affect any of them through it.
     fn reach(&self, drives: impl Fn(usize) -> bool) -> Reach<N, C> {
-        let drives: [bool; C] = array(drives);
-        let affects = |row: usize, i: usize| drives[row] || self.rows[row][i] != R::zero();
+        let affects: [[bool; N]; C] = array(|row| {
+            let drives = drives(row);
+            self.rows[row].each(|entry| drives || entry != R::zero())
+        });
         // Coordinates that rows join have the same label, the least index of them.
         let mut labels: [usize; N] = array(|i| i);
-        for row in 0..C {
-            let mut own =
-                labels.iter().enumerate().filter(|(i, _)| affects(row, *i)).map(|(_, &label)| label);
-            let Some(first) = own.next() else { continue };
+        for affects in &affects {
+            let own = labels.iter().zip(affects).filter(|(_, affects)| **affects).map(|(&label, _)| label);
             let mut joined = [false; N];
-            put(&mut joined, first, true);
-            let least = own.fold(first, |least, label| {
+            let least = own.fold(N, |least, label| {
                 put(&mut joined, label, true);
                 least.min(label)
             });
-            for label in &mut labels {
-                if joined.get(*label) == Some(&true) {
-                    *label = least;
-                }
+            for label in labels.iter_mut().filter(|label| joined.get(**label) == Some(&true)) {
+                *label = least;
             }
         }
-        array(|row| {
-            let own = (0..N).find(|&i| affects(row, i)).and_then(|i| labels.get(i));
-            labels.each(|label| own == Some(&label))
+        affects.each(|affects| {
+            let own = labels.iter().zip(&affects).find(|(_, affects)| **affects).map(|(&label, _)| label);
+            labels.each(|label| own == Some(label))
         })
     }
 

@@ -215,7 +215,8 @@ where
         // In a corner, each contact opens another one: passages follow each other as bounces do. What they
         // leave at last is the part of the velocity that opens or closes none of them.
         let share = S::Scalar::epsilon().sqrt();
-        if (0..C).any(|row| slow[row] && above(landing.rate_at(row, &v), share * rates[row])) {
+        let goes_on = |row: usize| above(landing.rate_at(row, &v), share * entry(rates, row));
+        if slow.iter().enumerate().any(|(row, &slow)| slow && goes_on(row)) {
             let (change, all) = equations.saddle.solve(&[zero; N], &wanted);
             v = array(|i| self.state.v[i] + change[i]);
             impulses = array(|row| match S::ROWS.get(row) {
@@ -240,22 +241,26 @@ where
     ) -> Option<Struck<S::Scalar, N, C>> {
         let rates = &self.laws.rows.rates;
         let is_closed = |row: usize| self.is_closed.get(row) == Some(&true);
-        let holds: [bool; C] = array(|row| match S::ROWS[row] {
-            Row::Friction { normal: Some(normal), .. } => is_closed(normal) && !self.is_frictionless(row),
+        let holds: [bool; C] = array(|row| match S::ROWS.get(row) {
+            Some(&Row::Friction { normal: Some(normal), .. }) => {
+                is_closed(normal) && !self.is_frictionless(row)
+            }
             _ => is_closed(row),
         });
-        let mut rows = holds.iter().enumerate().filter(|(_, holds)| **holds);
-        let is_slow =
-            |row: usize| !above(rates[row].abs(), tolerance * most(scales.impacts[row], scales.speeds[row]));
-        if !rows.all(|(row, _)| is_slow(row)) {
-            return None;
+        let (zero, mut wanted) = (num_traits::Zero::zero(), [num_traits::Zero::zero(); C]);
+        let mut closed = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
+        for (row, _) in holds.iter().enumerate().filter(|(_, holds)| **holds) {
+            let (rate, scale) =
+                (entry(rates, row), most(entry(&scales.impacts, row), entry(&scales.speeds, row)));
+            if above(rate.abs(), tolerance * scale) {
+                return None;
+            }
+            put(&mut closed.active, row, true);
+            put(&mut wanted, row, -rate);
         }
-        let open = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
-        let closed = Regime { active: array(|row| open.active[row] || holds[row]), ..open };
         let State { t, q, v } = &self.state;
         let equations = S::equations_in(&self.system.in_regime(&closed), *t, q, v, self.inputs)?;
-        let wanted = array(|row| if holds[row] { -rates[row] } else { num_traits::Zero::zero() });
-        let (change, impulses) = equations.saddle.solve(&[num_traits::Zero::zero(); N], &wanted);
+        let (change, impulses) = equations.saddle.solve(&[zero; N], &wanted);
         let v = array(|i| v[i] + change[i]);
         let known = Known { rested: holds, ..Known::settled(self.is_closed) };
         let state = State { v, ..self.state };

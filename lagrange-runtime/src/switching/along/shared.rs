@@ -1,4 +1,5 @@
-//! Contacts and frictions that share a load: feet that stick, on which the load is spread in more than one way.
+//! Contacts and frictions that share a load: feet that stick, on which the load is spread in more than one
+//! way.
 //!
 //! The guards of such frictions are those of the shortest reactions. Where one of these reaches its limit,
 //! others may bear more, and the feet go on to stick as long as any shares of the load are possible. No
@@ -30,18 +31,19 @@ where
     /// Whether a guard is that of a reaction that may share a load.
     pub(super) fn may_share(&self, guard: Guard) -> bool {
         matches!(guard, Guard::Row(row)
-            if self.regime.active[row] && matches!(S::ROWS[row], Row::Friction { .. } | Row::Unilateral))
+            if self.regime.active.get(row) == Some(&true)
+                && matches!(S::ROWS.get(row), Some(Row::Friction { .. } | Row::Unilateral)))
     }
 
     /// The frictions that stick and the contacts that bear, are watched and share a load.
     pub(super) fn sharing(&self) -> [bool; C] {
         let mut sharing: [bool; C] = array(|row| {
-            let is_one = match S::ROWS[row] {
-                Row::Friction { pair, .. } => pair.is_some() || const { !has_pairs(&S::ROWS) },
-                Row::Unilateral => const { !has_pairs(&S::ROWS) },
-                Row::Bilateral | Row::Load => false,
+            let is_one = match S::ROWS.get(row) {
+                Some(Row::Friction { pair, .. }) => pair.is_some() || const { !has_pairs(&S::ROWS) },
+                Some(Row::Unilateral) => const { !has_pairs(&S::ROWS) },
+                _ => false,
             };
-            is_one && self.regime.active[row] && self.has(Guard::Row(row))
+            is_one && self.regime.active.get(row) == Some(&true) && self.has(Guard::Row(row))
         });
         let State { t, q, v } = self.start;
         if sharing.contains(&true)
@@ -57,11 +59,12 @@ where
         [false; C]
     }
 
-    /// The part of the step on which the series of all reactions converge. There a load has no more turns than
-    /// a search sees.
+    /// The part of the step on which the series of all reactions converge. There a load has no more turns
+    /// than a search sees.
     pub(super) fn followed(&self, course: &Course<'_, S::Scalar, N>) -> S::Scalar {
         let reaches = (0..C).filter_map(|row| {
-            let curve = course.curve_of_reaction(row, C).filter(|_| self.regime.active[row])?;
+            let curve =
+                course.curve_of_reaction(row, C).filter(|_| self.regime.active.get(row) == Some(&true))?;
             Some(reach(&curve, course.order().saturating_sub(1), course.left.sqrt()))
         });
         reaches.fold(num_traits::One::one(), smaller)
