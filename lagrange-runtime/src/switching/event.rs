@@ -90,7 +90,7 @@ where
             }
         };
         if sampled.is_some() {
-            (first, passed) = (sampled, None);
+            (first, passed, is_shared) = (sampled, None, false);
         }
         let (part, guard) = match first {
             Some((part, guard)) => (part, Some(guard)),
@@ -133,7 +133,7 @@ where
             (_, None) => zero,
         };
         let (accelerations, crossed) = ([zero; N], [false; W]);
-        let mut event = Event { state, guard, late, place: state, accelerations, crossed };
+        let mut event = Event { state, guard, is_shared, late, place: state, accelerations, crossed };
         let Some(guard) = guard else { return Ok(Some(event)) };
         let State { t, q, v } = state;
         event.accelerations = in_regime.accelerations_at(constants, t, &q, &v, inputs);

@@ -65,8 +65,8 @@ where
     }
 
     /// The regime in which frictions along one direction slip, or contacts open, that have shared a load
-    /// until now: that of the first later time at which it drives all of them, and twice as much as at half
-    /// of that time.
+    /// until now: that of the first later time at which it drives all of them, if it is the same at half of
+    /// that time.
     #[cold]
     fn let_loose(
         &self,
@@ -79,9 +79,8 @@ where
             if let Some((regime, part)) = self.loose_at(stuck, scales, later)
                 && above(part, S::Scalar::epsilon().sqrt())
             {
-                let (before, middle) = self.loose_at(stuck, scales, half * later)?;
-                let is_even = !above((middle - half * part).abs(), S::Scalar::from_f64(0.1) * part);
-                return if before == regime && is_even { self.trial(regime) } else { None };
+                let (before, _) = self.loose_at(stuck, scales, half * later)?;
+                return if before == regime { self.trial(regime) } else { None };
             }
             later *= S::Scalar::from_f64(4.0);
         }

@@ -10,6 +10,8 @@ pub(super) struct Event<R, const N: usize, const W: usize> {
     pub(super) state: State<R, N>,
     /// The guard that has fired; `None` if the guards are known no further.
     pub(super) guard: Option<Guard>,
+    /// Whether it stands for all rows that have shared a load until there: its own function tells nothing.
+    pub(super) is_shared: bool,
     /// The delay of the time of the state after the zero of the guard, since times are rounded.
     pub(super) late: R,
     /// The accelerations at the state.

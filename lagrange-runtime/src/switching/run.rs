@@ -344,7 +344,8 @@ where
         let known = Known { fired, rested, opened: self.memory.opened, ..Known::new(present.active) };
         let varied = if S::Scalar::PARTS > 1 && regime_ends {
             let a = &event.accelerations;
-            self.varied(guard, &state, a, |run, state| run.settle(state, present, known, event.late))?
+            let shared = event.is_shared;
+            self.varied(guard, shared, &state, a, |run, state| run.settle(state, present, known, event.late))?
         } else {
             num_traits::Zero::zero()
         };

@@ -15,10 +15,11 @@
 
 use super::choice::Choice;
 use super::guards::{Guard, Guards};
+use super::known::Known;
 use super::run::Run;
 use super::scene::{Scene, Status, above, entry, most, rounding};
 use super::{Regime, Row, Switching};
-use crate::number::elements::array;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::control::Held;
@@ -26,6 +27,9 @@ use crate::system::error::Cause;
 use crate::system::method::Adaptive;
 use crate::system::name::Name;
 use crate::system::state::State;
+
+/// Roundings of all the forces that the limit of a shared load is made of.
+const LIMITS: f64 = 16.0;
 
 /// A guard at a state.
 struct Crossing<R> {
@@ -57,19 +61,22 @@ where
 {
     /// The delay of a guard, as a time without value, at the state where it has fired with these
     /// accelerations. `switched` gives the state after the switch. Fails with `Grazes` where the rate of the
-    /// guard is not known, and with `SwitchesCoincide` where another guard fires at the same time, unless
-    /// nothing jumps: then the delay is zero.
+    /// guard is not known, and with `SwitchesCoincide` where another guard fires at the same time, as those of
+    /// rows that have shared a load do, unless nothing jumps: then the delay is zero.
     #[cold]
     pub(super) fn varied(
         &mut self,
         guard: Guard,
+        is_shared: bool,
         state: &State<S::Scalar, N>,
         a: &[S::Scalar; N],
         switched: impl FnOnce(&mut Self, &mut State<S::Scalar, N>) -> Result<Regime<S::Scalar, C, W>, Cause>,
     ) -> Result<S::Scalar, Cause> {
         self.check_direction(guard)?;
         let crossing = self.crossing(guard, state, a);
-        let doubt = if self.is_known(guard, &crossing, state) {
+        let doubt = if is_shared {
+            Some(Cause::SwitchesCoincide { name: self.name(guard), other: self.other_name(guard) })
+        } else if self.is_known(guard, &crossing, state) {
             self.coincidence(guard, &crossing, state, a)
         } else {
             let name = self.name(guard);
@@ -89,10 +96,24 @@ where
         let State { t, q, v } = &after;
         let b = in_regime.accelerations_at(&in_regime.constants(), *t, q, v, &self.control.0);
         let part = most(self.limits.relative, rounding());
-        let stays =
-            |x: S::Scalar, y: S::Scalar| (x - y).part(0).abs() <= part * (x.part(0).abs() + y.part(0).abs());
-        let pairs = state.v.iter().zip(v).chain(a.iter().zip(&b));
-        if pairs.into_iter().all(|(&x, &y)| stays(x, y)) { Ok(num_traits::Zero::zero()) } else { Err(doubt) }
+        let stays = |x: S::Scalar, y: S::Scalar, size: S::Scalar| {
+            (x - y).part(0).abs() <= part * (x.part(0).abs() + y.part(0).abs() + size.part(0))
+        };
+        // The limit of a load that is shared is known to the roundings of forces, and nothing accelerates
+        // there by more.
+        let mut sizes = [num_traits::Zero::zero(); N];
+        if is_shared {
+            let known = Known::settled(regime.active);
+            let kinks = regime.kinks;
+            let scene = Scene::new(self.system, &after, &self.control.0, kinks, &self.memory.scales, &known);
+            if let Some((_, found)) = scene.balance(&regime, v) {
+                sizes = found.accelerations.each(|size| S::Scalar::from_f64(LIMITS) * size);
+            }
+        }
+        let zero = num_traits::Zero::zero();
+        let keeps = state.v.iter().zip(v).all(|(&x, &y)| stays(x, y, zero))
+            && a.iter().zip(&b).zip(&sizes).all(|((&x, &y), &size)| stays(x, y, size));
+        if keeps { Ok(zero) } else { Err(doubt) }
     }
 
     /// Fails with `Grazes` for the guard of a load: a load has no direction where it is zero, so its slopes
@@ -135,6 +156,13 @@ where
             Guard::Row(row) => S::NAMES.constraint(row),
             Guard::Kink(kink) => S::KINKS[kink],
         }
+    }
+
+    /// The name of another row that holds.
+    fn other_name(&self, guard: Guard) -> Name {
+        let active = self.memory.regime.active.iter().enumerate().filter(|(_, active)| **active);
+        let mut rows = active.map(|(row, _)| row).filter(|&row| Guard::Row(row) != guard);
+        rows.next_back().map_or(Name::NONE, |row| S::NAMES.constraint(row))
     }
 
     /// The guards of the piece that ends.

@@ -211,3 +211,69 @@ fn an_impact_with_friction_by_a_load_has_derivatives() {
         close_on(1.0, by_p[(2, 1)], by_restitution[row], 1e-7);
     }
 }
+
+/// A sledge on two rough runners that is pushed harder and harder. No law tells what each of them holds.
+struct Sledge {
+    push: f64,
+    holds: f64,
+}
+
+#[lagrangian(coordinates = [x, y, phi], sensitivities = [self.push])]
+impl Sledge {
+    #[kinetic]
+    fn motion(&self, v: &Velocities) -> f64 {
+        0.5 * (v.x * v.x + v.y * v.y) + 0.1 * v.phi * v.phi
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        9.81 * q.y
+    }
+
+    #[force]
+    fn pushed(&self, t: f64) -> [f64; 3] {
+        [self.push * t, 0.0, 0.0]
+    }
+
+    #[unilateral]
+    fn floor(&self, q: &Coordinates) -> [f64; 2] {
+        [q.y - 0.4 * q.phi.sin(), q.y + 0.3 * q.phi.sin()]
+    }
+
+    #[friction(coefficient = 0.3, static_coefficient = self.holds, normal = floor)]
+    fn slips(&self, q: &Coordinates, v: &Velocities) -> [f64; 2] {
+        [v.x + 0.4 * q.phi.sin() * v.phi, v.x - 0.3 * q.phi.sin() * v.phi]
+    }
+}
+
+impl Sledge {
+    fn way(&self, t: f64) -> f64 {
+        let begins = self.holds * 9.81 / self.push;
+        let passed = t - begins;
+        let pushed = (t.powi(3) - begins.powi(3)) / 6.0 - 0.5 * begins * begins * passed;
+        self.push * pushed - 0.5 * 0.3 * 9.81 * passed * passed
+    }
+}
+
+#[test]
+fn runners_that_share_a_load_let_go_together() {
+    for holds in [0.3, 0.4] {
+        let sledge = Sledge { push: 2.0, holds };
+        let mut motion = sledge.simulate(State::at_rest([0.0; 3])).with_tolerance(TIGHT);
+        close(motion.advance_to(2.5).unwrap().q[0], sledge.way(2.5), 1e-12);
+    }
+}
+
+#[test]
+fn they_have_derivatives_if_nothing_jumps_then() {
+    let sledge = Sledge { push: 2.0, holds: 0.3 };
+    let varied = sledge.variational();
+    let mut motion = varied.motion(State::at_rest([0.0; 3])).unwrap().with_tolerance(TIGHT);
+    let found = motion.advance_to(2.5).unwrap();
+    let exact = derivative(1e-3, |by| [Sledge { push: 2.0 + by, holds: 0.3 }.way(2.5)])[0];
+    close(found.q_by_p[(0, 0)], exact, 1e-9);
+    let jumps = Sledge { push: 2.0, holds: 0.4 };
+    let varied = jumps.variational();
+    let error = varied.motion(State::at_rest([0.0; 3])).unwrap().advance_to(2.5).map(|_| ()).unwrap_err();
+    assert!(error.to_string().contains("switch at once"), "{error}");
+}
