@@ -61,8 +61,8 @@ where
 {
     /// The delay of a guard, as a time without value, at the state where it has fired with these
     /// accelerations. `switched` gives the state after the switch. Fails with `Grazes` where the rate of the
-    /// guard is not known, and with `SwitchesCoincide` where another guard fires at the same time, as those of
-    /// rows that have shared a load do, unless nothing jumps: then the delay is zero.
+    /// guard is not known, and with `SwitchesCoincide` where another guard fires at the same time, as those
+    /// of rows that have shared a load do, unless nothing jumps: then the delay is zero.
     #[cold]
     pub(super) fn varied(
         &mut self,
