@@ -337,9 +337,10 @@ where
         let rates = laws_on(self.system, &State { t, q, v }, self.inputs, &self.kinks).rows.rates;
         let mut lack = [zero; C];
         for rows in begins.slips(&S::ROWS) {
+            // Where nothing accelerates the slip, that is so for varied motions, too.
             let size = |load: &dyn Fn(usize) -> S::Scalar| {
                 let [x, y] = rows.each(load);
-                x.hypot(y)
+                if x.part(0) == zero && y.part(0) == zero { zero } else { x.hypot(y) }
             };
             let [first, half, last] = [
                 size(&|row| self.rate(row, a)),

@@ -51,8 +51,11 @@ where
             let strength = entry(&end.sizes, rows[0]);
             let lacks = most(lacks.abs() - rounding::<S::Scalar>() * strength, zero);
             let error = number(0.25) * grown.later * lacks;
-            strays.error = most(strays.error, error / (most(scales.relative, ulps) * speed));
+            // Numbers alone: times that follow from them have no variation.
+            let error = error / (most(scales.relative, ulps) * speed);
+            strays.error = most(strays.error, error.part(0));
             let known = slip / most(number(LAUNCHED) * ulps * speed, self.hidden_slip(strength));
+            let known = known.part(0);
             strays.known = if above(strays.known, known) { known } else { strays.known };
         }
         strays.error.is_finite().then_some(strays)
