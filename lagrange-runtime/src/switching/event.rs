@@ -39,7 +39,7 @@ where
             return Ok(None);
         }
         guards.cross(&memory.flips);
-        guards.let_go(&memory.let_go);
+        guards.slips_begin(&memory.slips_begin);
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
         let (mut fall, mut known, mut is_shared) = (None, one, false);
         if let Some(terms) = terms {

@@ -79,7 +79,7 @@ where
             is_cut: false,
             stuck: None,
             fired: None,
-            let_go: [false; C],
+            slips_begin: [false; C],
             scales: Scales::new(),
             flips: [0; W],
             changes: 0,

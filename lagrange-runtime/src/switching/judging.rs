@@ -1,10 +1,9 @@
 //! Whether a regime agrees with its consequences.
 
-use super::Row;
-use super::Switching;
 use super::choice::{Choice, is_limit};
 use super::scene::{Scene, Status, above, entry, most, rounding};
 use super::trials::Part;
+use super::{Row, Switching};
 use crate::number::elements::Each;
 use crate::number::real::Real;
 

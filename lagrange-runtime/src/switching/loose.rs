@@ -49,18 +49,12 @@ where
     /// The present regime where the load of a friction that sticks, or of a contact that bears, is shared
     /// with others. `None` where the motion determines its force, and for other rows.
     fn sharing(&self, present: &Regime<S::Scalar, C, W>, row: usize) -> Option<Choice<S::Scalar, N, C, W>> {
-        let in_pair = match S::ROWS.get(row)? {
-            Row::Friction { pair, .. } => pair.is_some(),
-            Row::Unilateral => false,
-            Row::Bilateral | Row::Load => return None,
-        };
-        if const { has_pairs(&S::ROWS) } && !in_pair || present.active.get(row) != Some(&true) {
+        if !may_share(&S::ROWS, row) || present.active.get(row) != Some(&true) {
             return None;
         }
         let State { t, q, v } = &self.state;
         let equations = S::equations_in(&self.system.in_regime(present), *t, q, v, self.inputs)?;
-        let is_shared = !equations.saddle.is_independent()
-            && (in_pair || is_shared(&equations.saddle, &equations.gradients, row));
+        let is_shared = is_shared(&S::ROWS, &equations.saddle, &equations.gradients, row);
         if is_shared { self.trial(*present) } else { None }
     }
 
@@ -122,12 +116,26 @@ where
     }
 }
 
-/// Whether the motion does not determine the reaction of a row: other reactions give the same forces.
+/// Whether a row may share a load: where slips have two directions their frictions alone.
+pub(super) fn may_share<const C: usize>(rows: &[Row; C], row: usize) -> bool {
+    match rows.get(row) {
+        Some(Row::Friction { pair, .. }) => pair.is_some() || !has_pairs(rows),
+        Some(Row::Unilateral) => !has_pairs(rows),
+        _ => false,
+    }
+}
+
+/// Whether the motion does not determine the reaction of a row: other reactions give the same forces. Where
+/// slips have two directions, any rows that depend on each other count.
 pub(super) fn is_shared<R: Real, const N: usize, const C: usize>(
+    rows: &[Row; C],
     saddle: &impl SaddlePoint<R, N, C>,
     gradients: &[[R; N]; C],
     row: usize,
 ) -> bool {
+    if saddle.is_independent() || has_pairs(rows) {
+        return !saddle.is_independent();
+    }
     let Some(gradient) = gradients.get(row) else { return false };
     let (_, shortest) = saddle.solve(&gradient.each(|entry: R| -entry), &[R::zero(); C]);
     above((R::one() - entry(&shortest, row)).abs(), R::epsilon().sqrt())

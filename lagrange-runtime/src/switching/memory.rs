@@ -47,7 +47,7 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     /// The guard that ended the piece before, which is zero where the next one starts.
     pub(super) fired: Option<Guard>,
     /// The frictions in one direction whose slips begin there, from zero.
-    pub(super) let_go: [bool; C],
+    pub(super) slips_begin: [bool; C],
     pub(super) scales: Scales<R, C>,
     /// Changes of the side of each kink since time has last passed, beyond rounding.
     pub(super) flips: [usize; W],
@@ -118,10 +118,11 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         fired: Option<usize>,
     ) {
         let is_impact = self.impulses != [R::zero(); C];
-        for (row, (let_go, kind)) in self.let_go.iter_mut().zip(rows).enumerate() {
+        for (row, (slips_begin, kind)) in self.slips_begin.iter_mut().zip(rows).enumerate() {
             let sticks = |regime: &Regime<R, C, W>| regime.active.get(row) == Some(&true);
             let is_straight = matches!(kind, Row::Friction { pair: None, .. });
-            *let_go = !is_impact && is_straight && (sticks(before) || fired == Some(row)) && !sticks(after);
+            *slips_begin =
+                !is_impact && is_straight && (sticks(before) || fired == Some(row)) && !sticks(after);
         }
         for (row, (opened, kind)) in self.opened.iter_mut().zip(rows).enumerate() {
             let bears = |regime: &Regime<R, C, W>| regime.active.get(row) == Some(&true);

@@ -219,10 +219,7 @@ where
         if slow.iter().enumerate().any(|(row, &slow)| slow && goes_on(row)) {
             let (change, all) = equations.saddle.solve(&[zero; N], &wanted);
             v = array(|i| self.state.v[i] + change[i]);
-            impulses = array(|row| match S::ROWS.get(row) {
-                Some(Row::Unilateral) => most(entry(&all, row), zero),
-                _ => entry(&all, row),
-            });
+            impulses = pushing(&S::ROWS, &all);
         }
         Some((v, array(|row| before[row] + impulses[row])))
     }
@@ -267,6 +264,15 @@ where
         let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
         let choice = scene.choose(&closed, None).ok()?;
         let stays = choice.regime.active.iter().zip(&holds).all(|(active, holds)| *active || !holds);
-        stays.then_some((v, impulses))
+        stays.then(|| (v, pushing(&S::ROWS, &impulses)))
     }
+}
+
+/// Impulses without those of contacts that pull: they are rounding errors.
+fn pushing<R: Real, const C: usize>(rows: &[Row; C], impulses: &[R; C]) -> [R; C] {
+    let mut pushing = *impulses;
+    for (impulse, _) in pushing.iter_mut().zip(rows).filter(|(_, kind)| **kind == Row::Unilateral) {
+        *impulse = most(*impulse, R::zero());
+    }
+    pushing
 }

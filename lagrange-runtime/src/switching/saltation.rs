@@ -28,9 +28,6 @@ use crate::system::method::Adaptive;
 use crate::system::name::Name;
 use crate::system::state::State;
 
-/// Roundings of all the forces that the limit of a shared load is made of.
-const LIMITS: f64 = 16.0;
-
 /// A guard at a state.
 struct Crossing<R> {
     /// Its value, with derivatives at a fixed time.
@@ -99,15 +96,15 @@ where
         let stays = |x: S::Scalar, y: S::Scalar, size: S::Scalar| {
             (x - y).part(0).abs() <= part * (x.part(0).abs() + y.part(0).abs() + size.part(0))
         };
-        // The limit of a load that is shared is known to the roundings of forces, and nothing accelerates
-        // there by more.
+        // At the limit of a load that is shared, each row may be beyond its own by the roundings of all
+        // forces, and nothing accelerates by more.
         let mut sizes = [num_traits::Zero::zero(); N];
         if is_shared {
             let known = Known::settled(regime.active);
             let kinks = regime.kinks;
             let scene = Scene::new(self.system, &after, &self.control.0, kinks, &self.memory.scales, &known);
             if let Some((_, found)) = scene.balance(&regime, v) {
-                sizes = found.accelerations.each(|size| S::Scalar::from_f64(LIMITS) * size);
+                sizes = found.accelerations.each(|size| S::Scalar::from_f64(C as f64) * size);
             }
         }
         let zero = num_traits::Zero::zero();

@@ -65,7 +65,7 @@ where
                 // A slip that begins does not accelerate back, or another regime would have been chosen.
                 // Where friction has just reached its limit, its acceleration is a rounding error of the
                 // forces that it is a difference of.
-                if self.has_let_go(guard) && slip.coefficients[1] < num_traits::Zero::zero() {
+                if self.slip_begins(guard) && slip.coefficients[1] < num_traits::Zero::zero() {
                     slip.coefficients[1] = num_traits::Zero::zero();
                 }
                 Some(slip)

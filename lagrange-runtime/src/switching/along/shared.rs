@@ -5,15 +5,12 @@
 //! others may bear more, and the feet go on to stick as long as any shares of the load are possible. No
 //! series follows that, so the step is searched for the place where the last possible shares are gone.
 
-use super::super::Row;
 use super::super::Switching;
 use super::super::course::Course;
 use super::super::guards::{Guard, Guards, PLACES};
 use super::super::known::Known;
-use super::super::loose::is_shared;
+use super::super::loose::{is_shared, may_share};
 use super::super::scene::{Scales, Scene, Sticking};
-use super::super::turning::has_pairs;
-use crate::linear::SaddlePoint;
 use crate::motion::roots::{Fall, reach};
 use crate::number::elements::array;
 use crate::number::real::{Ordered, Real, smaller};
@@ -31,32 +28,23 @@ where
     /// Whether a guard is that of a reaction that may share a load.
     pub(super) fn may_share(&self, guard: Guard) -> bool {
         matches!(guard, Guard::Row(row)
-            if self.regime.active.get(row) == Some(&true)
-                && matches!(S::ROWS.get(row), Some(Row::Friction { .. } | Row::Unilateral)))
+            if self.regime.active.get(row) == Some(&true) && may_share(&S::ROWS, row))
     }
 
     /// The frictions that stick and the contacts that bear, are watched and share a load.
     pub(super) fn sharing(&self) -> [bool; C] {
-        let mut sharing: [bool; C] = array(|row| {
-            let is_one = match S::ROWS.get(row) {
-                Some(Row::Friction { pair, .. }) => pair.is_some() || const { !has_pairs(&S::ROWS) },
-                Some(Row::Unilateral) => const { !has_pairs(&S::ROWS) },
-                _ => false,
-            };
-            is_one && self.regime.active.get(row) == Some(&true) && self.has(Guard::Row(row))
-        });
-        let State { t, q, v } = self.start;
-        if sharing.contains(&true)
-            && let Some(equations) = S::equations_in(self.in_regime, *t, q, v, self.inputs)
-            && !equations.saddle.is_independent()
-        {
-            for (row, shares) in sharing.iter_mut().enumerate().filter(|(_, shares)| **shares) {
-                *shares =
-                    const { has_pairs(&S::ROWS) } || is_shared(&equations.saddle, &equations.gradients, row);
-            }
+        let mut sharing = array(|row| self.has(Guard::Row(row)) && self.may_share(Guard::Row(row)));
+        if !sharing.contains(&true) {
             return sharing;
         }
-        [false; C]
+        let State { t, q, v } = self.start;
+        let equations = S::equations_in(self.in_regime, *t, q, v, self.inputs);
+        for (row, shares) in sharing.iter_mut().enumerate().filter(|(_, shares)| **shares) {
+            *shares = equations
+                .as_ref()
+                .is_some_and(|found| is_shared(&S::ROWS, &found.saddle, &found.gradients, row));
+        }
+        sharing
     }
 
     /// The part of the step on which the series of all reactions converge. There a load has no more turns

@@ -18,7 +18,7 @@ pub(in crate::switching) struct Watch<R, const C: usize, const W: usize> {
     /// be crossed at the same time, so that roundings are all that is left of them.
     crossed: [bool; W],
     /// The frictions in one direction whose slips begin where the step starts.
-    let_go: [bool; C],
+    slips_begin: [bool; C],
     /// Rows and kinks whose guards are sampled, without a series that converges on the step.
     sampled: ([bool; C], [bool; W]),
 }
@@ -32,7 +32,7 @@ impl<R: Real, const C: usize, const W: usize> Watch<R, C, W> {
             directions: [R::zero(); C],
             kinks: [true; W],
             crossed: [false; W],
-            let_go: [false; C],
+            slips_begin: [false; C],
             sampled,
         }
     }
@@ -80,13 +80,13 @@ where
     }
 
     /// Notes the frictions in one direction whose slips begin where the step starts.
-    pub(in crate::switching) fn let_go(&mut self, rows: &[bool; C]) {
-        self.watch.let_go = *rows;
+    pub(in crate::switching) fn slips_begin(&mut self, rows: &[bool; C]) {
+        self.watch.slips_begin = *rows;
     }
 
     /// Whether a guard is that of a friction whose slip begins where the step starts.
-    pub(in crate::switching) fn has_let_go(&self, guard: Guard) -> bool {
-        matches!(guard, Guard::Row(row) if self.watch.let_go.get(row) == Some(&true))
+    pub(in crate::switching) fn slip_begins(&self, guard: Guard) -> bool {
+        matches!(guard, Guard::Row(row) if self.watch.slips_begin.get(row) == Some(&true))
     }
 
     /// Whether a guard is that of a kink that the motion has crossed where the step starts.
