@@ -181,29 +181,55 @@ where
         is_shared: bool,
     ) -> Result<Soon<S::Scalar, N, C, W>, Not<S::Scalar, C, W>> {
         let number = S::Scalar::from_f64;
-        let wanted = self.growth();
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let [least, mut later] = self.grows(regime, a, scales)?;
+        if !is_shared {
+            // A load that grows no longer has grown evenly before.
+            loop {
+                match self.grown_by(regime, a, scales, later) {
+                    Err(Not::Grown) if above(later, least) => later *= number(0.5),
+                    grown => return Ok((grown?, zero)),
+                }
+            }
+        }
+        let end = self.load_at(regime, a, scales, later)?;
+        let middle = self.load_at(regime, a, scales, later * number(0.5))?;
+        let onset = self.onset(regime, a, scales, later, [end.most(), middle.most()]);
+        let between = self.load_at(regime, a, scales, number(0.5) * (onset + later))?;
+        if !end.is_even(&between) {
+            return Err(Not::Grown);
+        }
+        Ok((self.taken_on(regime, a, &middle, &end).ok_or(Not::Grown)?, onset))
+    }
+
+    /// The times \[s] between which the load grows: from where it shows to where it has grown as far as is
+    /// wanted, or as far as it does.
+    fn grows(
+        &self,
+        regime: Regime<S::Scalar, C, W>,
+        a: &[S::Scalar; N],
+        scales: &Scales<S::Scalar, C>,
+    ) -> Result<[S::Scalar; 2], Not<S::Scalar, C, W>> {
+        let number = S::Scalar::from_f64;
+        let (wanted, zero) = (self.growth(), num_traits::Zero::zero());
         let mut later = self.instant();
+        let (mut first, mut largest) = (later, [later, zero]);
         for _ in 0..TRIES {
             let part = match self.load_at(regime, a, scales, later) {
                 Ok(load) => load.most(),
-                Err(Not::Grown) => num_traits::Zero::zero(),
+                Err(Not::Grown) => zero,
                 Err(other) => return Err(other),
             };
             if above(part, wanted) {
-                later *= wanted / part;
-                if !is_shared {
-                    let grown = self.grown_by(regime, a, scales, later)?;
-                    return Ok((grown, num_traits::Zero::zero()));
-                }
-                let end = self.load_at(regime, a, scales, later)?;
-                let middle = self.load_at(regime, a, scales, later * number(0.5))?;
-                let onset = self.onset(regime, a, scales, later, [end.most(), middle.most()]);
-                let between = self.load_at(regime, a, scales, number(0.5) * (onset + later))?;
-                if !end.is_even(&between) {
-                    return Err(Not::Grown);
-                }
-                return Ok((self.taken_on(regime, a, &middle, &end).ok_or(Not::Grown)?, onset));
+                return Ok([first, later * (wanted / part)]);
             }
+            if above(largest[1], most(part, rounding())) {
+                return Ok([first, largest[0]]);
+            }
+            if !above(part, rounding()) {
+                first = later;
+            }
+            largest = [later, part];
             let is_near = above(part, rounding::<S::Scalar>() + wanted / number(FACTOR));
             later *= if is_near { number(1.0 + 1.0 / FACTOR) * wanted / part } else { number(FACTOR) };
         }
