@@ -7,7 +7,6 @@ use super::choice::Choice;
 use super::growing::{Grown, TRIES};
 use super::known::Known;
 use super::scene::{Scales, Scene, Status, above, entry};
-use super::turning::has_pairs;
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
 use crate::number::elements::{Each, array};
@@ -35,11 +34,10 @@ where
         scales: &Scales<S::Scalar, C>,
     ) -> Result<Next<S::Scalar, N, C, W>, Cause> {
         if let Some(stuck) = fired.and_then(|row| self.sharing(present, row)) {
-            if const { has_pairs(&S::ROWS) } {
-                if let Some(grown) = self.loosened(&stuck, scales) {
-                    return Ok((stuck, Some(grown)));
-                }
-            } else if let Some(choice) = self.let_loose(&stuck, scales) {
+            if let Some(grown) = self.loosened(&stuck, scales) {
+                return Ok((stuck, Some(grown)));
+            }
+            if let Some(choice) = self.let_loose(&stuck, scales) {
                 return Ok((choice, None));
             }
         }
@@ -116,27 +114,30 @@ where
     }
 }
 
-/// Whether a row may share a load: where slips have two directions their frictions alone.
+/// Whether a row may share a load.
 pub(super) fn may_share<const C: usize>(rows: &[Row; C], row: usize) -> bool {
-    match rows.get(row) {
-        Some(Row::Friction { pair, .. }) => pair.is_some() || !has_pairs(rows),
-        Some(Row::Unilateral) => !has_pairs(rows),
-        _ => false,
-    }
+    matches!(rows.get(row), Some(Row::Friction { .. } | Row::Unilateral))
 }
 
-/// Whether the motion does not determine the reaction of a row: other reactions give the same forces. Where
-/// slips have two directions, any rows that depend on each other count.
+/// Whether the motion does not determine the reaction of a row, or what limits it: other reactions give the
+/// same forces.
 pub(super) fn is_shared<R: Real, const N: usize, const C: usize>(
     rows: &[Row; C],
     saddle: &impl SaddlePoint<R, N, C>,
     gradients: &[[R; N]; C],
     row: usize,
 ) -> bool {
-    if saddle.is_independent() || has_pairs(rows) {
-        return !saddle.is_independent();
+    if saddle.is_independent() {
+        return false;
     }
-    let Some(gradient) = gradients.get(row) else { return false };
-    let (_, shortest) = saddle.solve(&gradient.each(|entry: R| -entry), &[R::zero(); C]);
-    above((R::one() - entry(&shortest, row)).abs(), R::epsilon().sqrt())
+    let is_own = |row: usize| {
+        let Some(gradient) = gradients.get(row) else { return false };
+        let (_, shortest) = saddle.solve(&gradient.each(|entry: R| -entry), &[R::zero(); C]);
+        above((R::one() - entry(&shortest, row)).abs(), R::epsilon().sqrt())
+    };
+    let (pair, normal) = match rows.get(row) {
+        Some(&Row::Friction { pair, normal }) => (pair, normal),
+        _ => (None, None),
+    };
+    is_own(row) || pair.is_some_and(is_own) || normal.is_some_and(is_own)
 }
