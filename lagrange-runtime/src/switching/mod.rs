@@ -30,6 +30,7 @@ mod known;
 mod launch;
 mod limits;
 mod loose;
+mod margin;
 mod memory;
 mod nearest;
 mod pivoting;

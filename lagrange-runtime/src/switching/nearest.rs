@@ -1,22 +1,28 @@
 //! The point of a polyhedron that is nearest to the origin.
 //!
-//! Of the x with pⱼ · x ≥ dⱼ the shortest is a sum of rows, x = Σ yⱼ pⱼ with yⱼ ≥ 0. Least squares with
+//! Of the x with pⱼ · x ≥ dⱼ the shortest is a sum of rows, x = Σ yⱼ pⱼ with yⱼ ≥ 0. Rows may have one more
+//! entry than the rows of a system, the `last`. Least squares with
 //! unknowns that are not negative find it: with u from min |Σ uⱼ (pⱼ, dⱼ) − (0, 1)|, y is u over 1 − Σ uⱼ dⱼ.
 //! Only rows whose residual asks for them enter, so those that do are independent (Lawson and Hanson,
 //! *Solving Least Squares Problems*, chapter 23).
 
 use super::scene::{above, most, product, rounding};
 use crate::linear::Lu;
-use crate::number::elements::{Each, array};
+use crate::number::elements::array;
 use crate::number::real::Real;
 
 /// The y of the shortest x. `None` where there is no x, or none nearer than some 1/√[`rounding`] times the
 /// distance of the furthest bound. Rows of zeros demand nothing.
-pub(super) fn nearest<R: Real, const C: usize>(rows: &[[R; C]; C], bounds: &[R; C]) -> Option<[R; C]> {
+pub(super) fn nearest<R: Real, const C: usize>(
+    rows: &[[R; C]; C],
+    last: &[R; C],
+    bounds: &[R; C],
+) -> Option<[R; C]> {
     let (zero, one) = (R::zero(), R::one());
+    let times = |i: usize, j: usize| product(&rows[i], &rows[j]) + last[i] * last[j];
     // Rows of unit length, and the largest of the bounds for a unit.
-    let scales = rows.each_ref().each(|row| {
-        let length = product(row, row).sqrt();
+    let scales: [R; C] = array(|j| {
+        let length = times(j, j).sqrt();
         if length.is_positive() { length.recip() } else { zero }
     });
     let far = (0..C).fold(zero, |far, j| most(far, bounds[j] * scales[j]));
@@ -24,8 +30,7 @@ pub(super) fn nearest<R: Real, const C: usize>(rows: &[[R; C]; C], bounds: &[R; 
         return Some([zero; C]);
     }
     let asked: [R; C] = array(|j| bounds[j] * scales[j] / far);
-    let gram: [[R; C]; C] =
-        array(|i| array(|j| product(&rows[i], &rows[j]) * scales[i] * scales[j] + asked[i] * asked[j]));
+    let gram: [[R; C]; C] = array(|i| array(|j| times(i, j) * scales[i] * scales[j] + asked[i] * asked[j]));
     let (mut enters, mut u) = ([false; C], [zero; C]);
     // Each round makes the residual shorter, so none of the sets comes twice.
     for _ in 0..8 * C {
@@ -75,7 +80,7 @@ mod tests {
 
     #[track_caller]
     fn close<const C: usize>(rows: [[f64; C]; C], bounds: [f64; C], x: [f64; C]) {
-        let y = nearest(&rows, &bounds).unwrap();
+        let y = nearest(&rows, &[0.0; C], &bounds).unwrap();
         assert!(y.iter().all(|&y| y >= 0.0), "{y:?}");
         for (i, &wanted) in x.iter().enumerate() {
             let found: f64 = (0..C).map(|j| y[j] * rows[j][i]).sum();
@@ -117,6 +122,6 @@ mod tests {
 
     #[test]
     fn bounds_that_contradict_have_no_point() {
-        assert_eq!(nearest(&[[1.0, 0.0], [-1.0, 0.0]], &[1.0, 1.0]), None);
+        assert_eq!(nearest(&[[1.0, 0.0], [-1.0, 0.0]], &[0.0; 2], &[1.0, 1.0]), None);
     }
 }

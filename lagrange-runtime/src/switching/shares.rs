@@ -15,6 +15,26 @@ use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::state::State;
 
+/// The rows over which a load is spread.
+pub(super) struct Spread<R, const N: usize, const C: usize> {
+    rows: [[R; N]; C],
+    active: [R; C],
+    saddle: Switched<R, N, C>,
+}
+
+impl<R: Real, const N: usize, const C: usize> Spread<R, N, C> {
+    /// The shortest multipliers that give the same forces.
+    pub(super) fn shortest(&self, multipliers: &[R; C]) -> [R; C] {
+        let mut against = [R::zero(); N];
+        for ((row, &multiplier), &active) in self.rows.iter().zip(multipliers).zip(&self.active) {
+            for (force, &entry) in against.iter_mut().zip(row) {
+                *force -= active * multiplier * entry;
+            }
+        }
+        self.saddle.solve(&against, &[R::zero(); C]).1
+    }
+}
+
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
 where
     S: Switching<N, K, C, W>,
@@ -100,23 +120,8 @@ where
             return None;
         }
         let zero: S::Scalar = num_traits::Zero::zero();
-        let rows = self.driving(bearing, drags);
-        let mut mass = [[zero; N]; N];
-        for (i, (row, &unit)) in mass.iter_mut().zip(&self.units).enumerate() {
-            row[i] = if unit.is_positive() { (unit * unit).recip() } else { num_traits::One::one() };
-        }
-        let active = array(|row| bearing.activity(row));
-        let saddle = Switched::factor(&mass, &rows, &[[zero; N]; C], &active);
-        // The shortest multipliers that give the same forces.
-        let project = |multipliers: &[S::Scalar; C]| {
-            let mut against = [zero; N];
-            for ((row, &multiplier), &active) in rows.iter().zip(multipliers).zip(&active) {
-                for (force, &entry) in against.iter_mut().zip(row) {
-                    *force -= active * multiplier * entry;
-                }
-            }
-            saddle.solve(&against, &[zero; C]).1
-        };
+        let spread = self.spread(bearing, drags);
+        let project = |multipliers: &[S::Scalar; C]| spread.shortest(multipliers);
         let base = project(known);
         let size = product(known, known).sqrt();
         let mut toward = base;
@@ -135,7 +140,7 @@ where
                     return None;
                 }
             }
-            let pushes = nearest(&free, &lacks)?;
+            let pushes = nearest(&free, &[zero; C], &lacks)?;
             let found: [S::Scalar; C] =
                 array(|i| free.iter().zip(&pushes).fold(base[i], |sum, (row, &push)| sum + push * row[i]));
             let is_possible = (0..C).all(|row| {
@@ -179,6 +184,23 @@ where
         None
     }
 
+    /// How the rows that bear spread a load.
+    pub(super) fn spread(
+        &self,
+        bearing: &Regime<S::Scalar, C, W>,
+        drags: &[S::Scalar; C],
+    ) -> Spread<S::Scalar, N, C> {
+        let zero = num_traits::Zero::zero();
+        let rows = self.driving(bearing, drags);
+        let mut mass = [[zero; N]; N];
+        for (i, (row, &unit)) in mass.iter_mut().zip(&self.units).enumerate() {
+            row[i] = if unit.is_positive() { (unit * unit).recip() } else { num_traits::One::one() };
+        }
+        let active = array(|row| bearing.activity(row));
+        let saddle = Switched::factor(&mass, &rows, &[[zero; N]; C], &active);
+        Spread { rows, active, saddle }
+    }
+
     /// Gradients of rows with those of the frictions that they drive.
     fn driving(&self, bearing: &Regime<S::Scalar, C, W>, drags: &[S::Scalar; C]) -> [[S::Scalar; N]; C] {
         let mut rows = self.gradients;
@@ -198,7 +220,7 @@ where
     /// The limit of a row: all multipliers whose product with the first is no less than the second. A
     /// friction has the direction that it has among these multipliers. `None` for a row without a limit, for
     /// a friction without a force, and for the second row of a pair.
-    fn cut(
+    pub(super) fn cut(
         &self,
         row: usize,
         bearing: &Regime<S::Scalar, C, W>,

@@ -10,7 +10,7 @@ use super::super::course::Course;
 use super::super::guards::{Guard, Guards, PLACES};
 use super::super::known::Known;
 use super::super::loose::{is_shared, may_share};
-use super::super::scene::{Scales, Scene, Sticking};
+use super::super::scene::{Scales, Scene};
 use crate::motion::roots::{Fall, reach};
 use crate::number::elements::array;
 use crate::number::real::{Ordered, Real, smaller};
@@ -99,6 +99,6 @@ where
         let scene = Scene::new(self.system, state, self.inputs, kinks, &Scales::new(), &known);
         let Some((balance, _)) = scene.balance(self.regime, &state.v) else { return false };
         let drags = scene.drags(self.regime, &state.v);
-        scene.shortest(self.regime, &drags, &balance.multipliers, Sticking::ByForces).is_some()
+        scene.can_share(self.regime, &drags, &balance.multipliers)
     }
 }

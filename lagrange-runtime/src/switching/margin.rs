@@ -1,0 +1,134 @@
+//! Whether a load can be shared at all, and how far that is from its end.
+//!
+//! The margin of shares is the largest m with which every limit is kept by m times its unit: m = max over the
+//! shares of min over the rows of slackⱼ / wⱼ. It is concave in the shares, changes sign where the last
+//! possible shares are gone, and always exists, so the sign is known to rounding there. The question
+//! whether *some* shares keep all limits is known there to the square root of that alone.
+//!
+//! The proximal bundle method finds it: cones of friction are cut by planes, the point nearest to the centre
+//! and one unit more of margin is the next one, and all cuts that were active are kept as one sum for each
+//! cone (Kiwiel, *Methods of Descent for Nondifferentiable Optimization*, chapter 2).
+
+use super::nearest::nearest;
+use super::scene::{Scene, Sticking, above, entry, most, product, rounding};
+use super::turning::TURNS;
+use super::{Regime, Row, Switching};
+use crate::number::elements::array;
+use crate::number::real::Real;
+
+/// The part of the predicted gain of margin that makes a point the next centre.
+const GAIN: f64 = 0.1;
+
+/// A plane that bounds the shares: its product with multipliers is at least `bound`.
+#[derive(Clone, Copy)]
+struct Cut<R, const C: usize> {
+    normal: [R; C],
+    bound: R,
+}
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+{
+    /// Whether reactions are possible that give the same motion as the `known` ones. Limits of rows whose
+    /// reactions the motion determines are not asked for.
+    #[cold]
+    pub(super) fn can_share(
+        &self,
+        bearing: &Regime<S::Scalar, C, W>,
+        drags: &[S::Scalar; C],
+        known: &[S::Scalar; C],
+    ) -> bool {
+        // Loads are sizes of forces, so the possible reactions are no convex set.
+        if S::ROWS.contains(&Row::Load) {
+            return false;
+        }
+        let number = S::Scalar::from_f64;
+        let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
+        let spread = self.spread(bearing, drags);
+        let base = spread.shortest(known);
+        let cut_at = |row: usize, at: &[S::Scalar; C]| {
+            self.cut(row, bearing, at, Sticking::ByForces).map(|(normal, bound)| Cut { normal, bound })
+        };
+        let free = |cut: &Cut<S::Scalar, C>| {
+            let held = spread.shortest(&cut.normal);
+            array(|i| cut.normal[i] - held[i])
+        };
+        // A friction without a force has no direction: it is cut when it has one.
+        let mut units = [zero; C];
+        let mut unit_of = |row: usize, cut: &Cut<S::Scalar, C>| {
+            if let Some(unit) = units.get_mut(row).filter(|unit| !unit.is_positive()) {
+                let own: [S::Scalar; C] = free(cut);
+                let length = product(&own, &own).sqrt();
+                let is_free =
+                    above(length, S::Scalar::epsilon().sqrt() * product(&cut.normal, &cut.normal).sqrt());
+                *unit = if is_free { length } else { zero };
+            }
+            entry(&units, row)
+        };
+        let mut size = product(&base, &base).sqrt();
+        let mut cuts: [Option<Cut<S::Scalar, C>>; C] = [None; C];
+        let mut centre = base;
+        let mut margin: Option<S::Scalar> = None;
+        let mut point = base;
+        let mut predicted = zero;
+        for _ in 0..TURNS {
+            // Tangents at the point, and the margin there.
+            let mut least: Option<S::Scalar> = None;
+            for row in 0..C {
+                let Some(cut) = cut_at(row, &point) else { continue };
+                let unit = unit_of(row, &cut);
+                if !unit.is_positive() {
+                    continue;
+                }
+                size = most(size, cut.bound.abs() / unit);
+                let cut = Cut { normal: array(|i| cut.normal[i] / unit), bound: cut.bound / unit };
+                let slack = product(&cut.normal, &point) - cut.bound;
+                least = Some(least.map_or(slack, |least| if above(least, slack) { slack } else { least }));
+                if let Some(own) = cuts.get_mut(row) {
+                    *own = Some(cut);
+                }
+            }
+            let Some(least) = least.filter(|&least| above(-rounding::<S::Scalar>() * size, least)) else {
+                return true;
+            };
+            if margin.is_none_or(|margin| above(least, margin + number(GAIN) * predicted)) {
+                (margin, centre) = (Some(least), point);
+            }
+            let margin = margin.unwrap_or(least);
+            // The nearest point, with one unit more of margin than is wanted for a last entry.
+            let rows: [[S::Scalar; C]; C] = array(|j| cuts[j].as_ref().map_or([zero; C], free));
+            let last = array(|j| if cuts[j].is_some() { one } else { zero });
+            let lacks = array(|j| {
+                cuts[j].map_or(zero, |cut| margin + size - (product(&cut.normal, &centre) - cut.bound))
+            });
+            let Some(pushes) = nearest(&rows, &last, &lacks) else { return false };
+            let rest = pushes.iter().fold(zero, |sum, &push| sum + push);
+            predicted = size - rest;
+            if !above(predicted, rounding::<S::Scalar>() * size) {
+                return false;
+            }
+            point =
+                array(|i| rows.iter().zip(&pushes).fold(centre[i], |sum, (row, &push)| sum + push * row[i]));
+            // All cuts of a cone that were active go on as their mean, in the place of its second row.
+            for (row, kind) in S::ROWS.iter().enumerate() {
+                let Row::Friction { pair: Some(other), .. } = *kind else { continue };
+                if other < row {
+                    continue;
+                }
+                let [own, kept] = [row, other].map(|row| entry(&pushes, row));
+                let sum = own + kept;
+                if !sum.is_positive() {
+                    continue;
+                }
+                if let (Some(first), Some(second)) = (cuts.get(row).copied().flatten(), cuts.get_mut(other)) {
+                    let [mine, its] = [own / sum, kept / sum];
+                    let old = second.unwrap_or(first);
+                    let normal = array(|i| mine * first.normal[i] + its * old.normal[i]);
+                    *second = Some(Cut { normal, bound: mine * first.bound + its * old.bound });
+                }
+            }
+        }
+        false
+    }
+}
