@@ -27,7 +27,8 @@ where
     let state = State { t, q: *q, v: *v };
     let known = Known::settled([false; C]);
     let scene = Scene::new(system, &state, u, kinks, &Scales::new(), &known);
-    let choice = scene.choose(&open, None).ok()?;
+    // As where a motion begins there, a body bears on all its feet.
+    let choice = scene.choose(&scene.touching(&open), None).ok()?;
     Some((scene, choice))
 }
 

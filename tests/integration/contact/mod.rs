@@ -13,6 +13,7 @@ mod directions;
 mod edges;
 mod feet;
 mod friction;
+mod grooves;
 mod growing;
 mod indeterminate;
 mod inputs;
