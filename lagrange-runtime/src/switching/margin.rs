@@ -19,6 +19,9 @@ use crate::number::real::Real;
 /// The part of the predicted gain of margin that makes a point the next centre.
 const GAIN: f64 = 0.1;
 
+/// The factor by which the gain of margin that is sought becomes larger or smaller.
+const REACH: f64 = 4.0;
+
 /// A plane that bounds the shares: its product with multipliers is at least `bound`.
 #[derive(Clone, Copy)]
 struct Cut<R, const C: usize> {
@@ -72,6 +75,7 @@ where
         let mut margin: Option<S::Scalar> = None;
         let mut point = base;
         let mut predicted = zero;
+        let mut reach = size;
         for _ in 0..TURNS {
             // Tangents at the point, and the margin there.
             let mut least: Option<S::Scalar> = None;
@@ -89,27 +93,38 @@ where
                     *own = Some(cut);
                 }
             }
-            let Some(least) = least.filter(|&least| above(-rounding::<S::Scalar>() * size, least)) else {
-                return true;
-            };
+            let Some(least) = least.filter(|&least| above(zero, least)) else { return true };
             if margin.is_none_or(|margin| above(least, margin + number(GAIN) * predicted)) {
                 (margin, centre) = (Some(least), point);
             }
             let margin = margin.unwrap_or(least);
-            // The nearest point, with one unit more of margin than is wanted for a last entry.
+            if !reach.is_positive() {
+                reach = size;
+            }
+            // The nearest point, with the margin that it lacks to the reach for a last entry.
             let rows: [[S::Scalar; C]; C] = array(|j| cuts[j].as_ref().map_or([zero; C], free));
             let last = array(|j| if cuts[j].is_some() { one } else { zero });
             let lacks = array(|j| {
-                cuts[j].map_or(zero, |cut| margin + size - (product(&cut.normal, &centre) - cut.bound))
+                cuts[j].map_or(zero, |cut| margin + reach - (product(&cut.normal, &centre) - cut.bound))
             });
             let Some(pushes) = nearest(&rows, &last, &lacks) else { return false };
             let rest = pushes.iter().fold(zero, |sum, &push| sum + push);
-            predicted = size - rest;
-            if !above(predicted, rounding::<S::Scalar>() * size) {
+            predicted = reach - rest;
+            let step: [S::Scalar; C] =
+                array(|i| rows.iter().zip(&pushes).fold(zero, |sum, (row, &push)| sum + push * row[i]));
+            point = array(|i| centre[i] + step[i]);
+            // The mean of the active cuts bounds the margin by that of the centre, its error there, and its
+            // slope times the distance, of which the size of the load is the measure.
+            let slope = product(&step, &step).sqrt() / rest;
+            let error = predicted - slope * slope * rest;
+            let gain = most(error, zero) + slope * size;
+            if above(-margin, gain) || !above(gain, S::Scalar::epsilon() * size) {
                 return false;
             }
-            point =
-                array(|i| rows.iter().zip(&pushes).fold(centre[i], |sum, (row, &push)| sum + push * row[i]));
+            // A longer reach lowers the slope, a shorter one the error, and those of the nearest point.
+            let factor = number(REACH);
+            reach = if above(slope * size, error) { reach * factor } else { reach / factor };
+            reach = if above(reach, size) { size } else { reach };
             // All cuts of a cone that were active go on as their mean, in the place of its second row.
             for (row, kind) in S::ROWS.iter().enumerate() {
                 let Row::Friction { pair: Some(other), .. } = *kind else { continue };
