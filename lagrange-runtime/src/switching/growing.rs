@@ -207,8 +207,8 @@ where
         Ok((self.taken_on(regime, a, &middle, &end).ok_or(Not::Grown)?, onset))
     }
 
-    /// The times \[s] between which the load grows: from where it shows to where it has grown as far as is
-    /// wanted, or as far as it does.
+    /// When the load has grown as far as is wanted \[s], twice. Where it does not grow that far: from when on
+    /// it shows, and until when it grows.
     fn grows(
         &self,
         regime: Regime<S::Scalar, C, W>,
@@ -226,17 +226,19 @@ where
                 Err(other) => return Err(other),
             };
             if above(part, wanted) {
-                return Ok([first, later * (wanted / part)]);
+                return Ok([later * (wanted / part); 2]);
             }
-            if above(largest[1], most(part, rounding())) {
+            // What is far below the one that is wanted may be rounding errors.
+            let near = rounding::<S::Scalar>() + wanted / number(FACTOR);
+            if above(largest[1], most(part, near)) {
                 return Ok([first, largest[0]]);
             }
             if !above(part, rounding()) {
                 first = later;
             }
             largest = [later, part];
-            let is_near = above(part, rounding::<S::Scalar>() + wanted / number(FACTOR));
-            later *= if is_near { number(1.0 + 1.0 / FACTOR) * wanted / part } else { number(FACTOR) };
+            later *=
+                if above(part, near) { number(1.0 + 1.0 / FACTOR) * wanted / part } else { number(FACTOR) };
         }
         Err(Not::Grown)
     }

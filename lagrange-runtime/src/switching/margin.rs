@@ -10,7 +10,7 @@
 //! cone (Kiwiel, *Methods of Descent for Nondifferentiable Optimization*, chapter 2).
 
 use super::nearest::nearest;
-use super::scene::{Scene, Sticking, above, entry, most, product, rounding};
+use super::scene::{Scene, Sticking, above, entry, most, product};
 use super::turning::TURNS;
 use super::{Regime, Row, Switching};
 use crate::number::elements::array;
