@@ -218,7 +218,7 @@ where
         let number = S::Scalar::from_f64;
         let (wanted, zero) = (self.growth(), num_traits::Zero::zero());
         let mut later = self.instant();
-        let (mut first, mut largest) = (later, [later, zero]);
+        let (mut first, mut largest) = (None, [later, zero]);
         for _ in 0..TRIES {
             let part = match self.load_at(regime, a, scales, later) {
                 Ok(load) => load.most(),
@@ -231,10 +231,10 @@ where
             // What is far below the one that is wanted may be rounding errors.
             let near = rounding::<S::Scalar>() + wanted / number(FACTOR);
             if above(largest[1], most(part, near)) {
-                return Ok([first, largest[0]]);
+                return first.map(|first| [first, largest[0]]).ok_or(Not::Grown);
             }
             if !above(part, rounding()) {
-                first = later;
+                first = Some(later);
             }
             largest = [later, part];
             later *=
