@@ -24,6 +24,7 @@ mod guards;
 mod hybrid;
 mod impact;
 mod impulses;
+mod in_turn;
 mod judging;
 mod kinks;
 mod known;

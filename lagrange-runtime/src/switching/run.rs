@@ -83,10 +83,8 @@ where
             let mut scene = &first;
             if scene.has_impact() {
                 scales.strike(&scene.status, &scene.laws);
-                (state.v, *impulses) = scene.impact()?;
-                if S::Scalar::PARTS > 1 {
-                    scene.struck(known.fired, impulses, self.limits.relative)?;
-                }
+                (state.v, *impulses) =
+                    scene.collide(&present.active, known.fired, scales, self.limits.relative)?;
                 let rested = scene.stopped(&state.v, impulses);
                 present.kinks = jumped(self.system, state, inputs, &present.kinks);
                 known = Known { rested, ..Known::settled(scene.is_closed) };
