@@ -340,10 +340,9 @@ where
         }
     }
 
-    /// Removes coordinates that have no digits, like a velocity that has been stopped: those that a
-    /// projection has changed by all that they are and that no active row of the regime would notice, and
-    /// those of a contact that is closed, or rests, of whose gap nothing is left but roundings of what it
-    /// was.
+    /// Removes coordinates that have no digits, like a velocity that has been stopped: those of which a
+    /// projection has made a half or more and that no active row of the regime would notice, and those of a
+    /// contact that is closed, or rests, of whose gap nothing is left but roundings of what it was.
     pub(super) fn place(
         &self,
         before: &[S::Scalar; N],
@@ -371,7 +370,8 @@ where
                 S::ROWS.get(row) == Some(&Row::Unilateral)
                     && !above(entry(sizes, row), ulps * entry(&scales.gaps, row))
             };
-            let is_made = !above(q.abs(), (*q - before).abs());
+            let made = *q - before;
+            let is_made = !above(q.abs(), (made + made).abs());
             let mut rows = (0..C).filter(couples).peekable();
             let is_left = rows.peek().is_some() && rows.all(is_nothing);
             if (is_made || is_left) && !(0..C).any(is_seen) {
