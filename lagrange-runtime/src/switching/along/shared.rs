@@ -10,7 +10,7 @@ use super::super::course::Course;
 use super::super::guards::{Guard, Guards, PLACES};
 use super::super::known::Known;
 use super::super::loose::{is_shared, may_share};
-use super::super::scene::{Scales, Scene};
+use super::super::scene::{Scales, Scene, rounding};
 use crate::motion::roots::{Fall, reach};
 use crate::number::elements::array;
 use crate::number::real::{Ordered, Real, smaller};
@@ -67,7 +67,10 @@ where
         until: S::Scalar,
     ) -> Option<Fall<S::Scalar>> {
         let number = S::Scalar::from_f64;
-        let holds = |place: S::Scalar| self.holds(&course.at(self.start, place)[0]);
+        // Where a regime begins at its limit, rounding errors decide on which side.
+        let zero = num_traits::Zero::zero();
+        let allowance = if self.holds(self.start, zero) { zero } else { rounding() };
+        let holds = |place: S::Scalar| self.holds(&course.at(self.start, place)[0], allowance);
         let mut low = num_traits::Zero::zero();
         for part in PLACES {
             let place = number(part) * until;
@@ -92,13 +95,14 @@ where
         None
     }
 
-    /// Whether reactions are possible with which all goes on at a state as it does in the regime.
-    fn holds(&self, state: &State<S::Scalar, N>) -> bool {
+    /// Whether reactions are possible with which all goes on at a state as it does in the regime, up to a part
+    /// of the size of the load.
+    fn holds(&self, state: &State<S::Scalar, N>, allowance: S::Scalar) -> bool {
         let known = Known::settled(self.regime.active);
         let kinks = self.regime.kinks;
         let scene = Scene::new(self.system, state, self.inputs, kinks, &Scales::new(), &known);
         let Some((balance, _)) = scene.balance(self.regime, &state.v) else { return false };
         let drags = scene.drags(self.regime, &state.v);
-        scene.can_share(self.regime, &drags, &balance.multipliers)
+        scene.can_share(self.regime, &drags, &balance.multipliers, allowance)
     }
 }
