@@ -33,15 +33,14 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// Whether reactions are possible that give the same motion as the `known` ones, up to a part `allowance` of
-    /// their size. Limits of rows whose reactions the motion determines are not asked for.
+    /// Whether reactions are possible that give the same motion as the `known` ones. Limits of rows whose
+    /// reactions the motion determines are not asked for.
     #[cold]
     pub(super) fn can_share(
         &self,
         bearing: &Regime<S::Scalar, C, W>,
         drags: &[S::Scalar; C],
         known: &[S::Scalar; C],
-        allowance: S::Scalar,
     ) -> bool {
         // Loads are sizes of forces, so the possible reactions are no convex set.
         if S::ROWS.contains(&Row::Load) {
@@ -51,12 +50,8 @@ where
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
         let spread = self.spread(bearing, drags);
         let base = spread.shortest(known);
-        let load = product(known, known).sqrt();
         let cut_at = |row: usize, at: &[S::Scalar; C]| {
-            self.cut(row, bearing, at, Sticking::ByForces).map(|(normal, bound)| {
-                let slack = product(&normal, &normal).sqrt() * load + bound.abs();
-                Cut { normal, bound: bound - allowance * slack }
-            })
+            self.cut(row, bearing, at, Sticking::ByForces).map(|(normal, bound)| Cut { normal, bound })
         };
         let free = |cut: &Cut<S::Scalar, C>| {
             let held = spread.shortest(&cut.normal);

@@ -10,7 +10,8 @@ use super::super::course::Course;
 use super::super::guards::{Guard, Guards, PLACES};
 use super::super::known::Known;
 use super::super::loose::{is_shared, may_share};
-use super::super::scene::{Scales, Scene, rounding};
+use super::super::scene::{Scales, Scene, Sticking};
+use super::super::turning::has_pairs;
 use crate::motion::roots::{Fall, reach};
 use crate::number::elements::array;
 use crate::number::real::{Ordered, Real, smaller};
@@ -19,6 +20,15 @@ use crate::system::state::State;
 /// How often the part of the step is halved in which shares cease to be possible. Halving ends where places
 /// have no number between them.
 const HALVINGS: usize = 64;
+
+/// How to tell whether shares are possible.
+#[derive(Clone, Copy)]
+enum Way {
+    /// By their margin, to rounding.
+    ByMargin,
+    /// As for the choice of a regime, which allows for the rounding errors of large forces.
+    AsChosen,
+}
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Guards<'_, S, N, K, C, W>
 where
@@ -67,10 +77,12 @@ where
         until: S::Scalar,
     ) -> Option<Fall<S::Scalar>> {
         let number = S::Scalar::from_f64;
-        // Where a regime begins at its limit, rounding errors decide on which side.
-        let zero = num_traits::Zero::zero();
-        let allowance = if self.holds(self.start, zero) { zero } else { rounding() };
-        let holds = |place: S::Scalar| self.holds(&course.at(self.start, place)[0], allowance);
+        // Cones of friction leave thin sets of shares before the last ones are gone. Without them, and where a
+        // regime begins at its limit, the choice knows, which has allowed for rounding errors.
+        let has_cones = const { has_pairs(&S::ROWS) };
+        let is_within = has_cones && self.holds(self.start, Way::ByMargin);
+        let way = if is_within { Way::ByMargin } else { Way::AsChosen };
+        let holds = |place: S::Scalar| self.holds(&course.at(self.start, place)[0], way);
         let mut low = num_traits::Zero::zero();
         for part in PLACES {
             let place = number(part) * until;
@@ -95,14 +107,18 @@ where
         None
     }
 
-    /// Whether reactions are possible with which all goes on at a state as it does in the regime, up to a part
-    /// of the size of the load.
-    fn holds(&self, state: &State<S::Scalar, N>, allowance: S::Scalar) -> bool {
+    /// Whether reactions are possible with which all goes on at a state as it does in the regime.
+    fn holds(&self, state: &State<S::Scalar, N>, way: Way) -> bool {
         let known = Known::settled(self.regime.active);
         let kinks = self.regime.kinks;
         let scene = Scene::new(self.system, state, self.inputs, kinks, &Scales::new(), &known);
         let Some((balance, _)) = scene.balance(self.regime, &state.v) else { return false };
         let drags = scene.drags(self.regime, &state.v);
-        scene.can_share(self.regime, &drags, &balance.multipliers, allowance)
+        match way {
+            Way::ByMargin => scene.can_share(self.regime, &drags, &balance.multipliers),
+            Way::AsChosen => {
+                scene.shortest(self.regime, &drags, &balance.multipliers, Sticking::ByForces).is_some()
+            }
+        }
     }
 }
