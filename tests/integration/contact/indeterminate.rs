@@ -270,3 +270,80 @@ fn a_block_in_a_groove_presses_no_more_than_its_frictions_need() {
         }
     }
 }
+
+/// A table on four feet that slips and turns. Its feet slip in different directions, so the loads decide
+/// how it goes on.
+struct Turning;
+
+#[lagrangian(coordinates = [hull: Pose])]
+impl Turning {
+    #[body(mass = 2.0, inertia = [0.1, 0.1, 0.15])]
+    fn hull(&self, q: &Coordinates) -> Isometry3<f64> {
+        q.hull
+    }
+
+    fn feet(&self, q: &Coordinates) -> [Vector3<f64>; 4] {
+        let hull = self.hull(q);
+        [(0.5, 0.3), (-0.5, 0.3), (-0.5, -0.3), (0.5, -0.3)]
+            .map(|(x, y)| hull.translation.vector + hull.rotation * Vector3::new(x, y, -0.2))
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        2.0 * 9.81 * self.hull(q).translation.z
+    }
+
+    #[unilateral]
+    fn floor(&self, q: &Coordinates) -> [f64; 4] {
+        self.feet(q).map(|foot| foot.z)
+    }
+
+    fn slip(&self, q: &Coordinates, v: &Velocities, foot: usize) -> Vector2<f64> {
+        let slip = self.hull_velocity(q, v).at(self.feet(q)[foot]);
+        Vector2::new(slip.x, slip.y)
+    }
+
+    #[friction(coefficient = 0.3, normal = floor[0])]
+    fn first(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
+        self.slip(q, v, 0)
+    }
+
+    #[friction(coefficient = 0.3, normal = floor[1])]
+    fn second(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
+        self.slip(q, v, 1)
+    }
+
+    #[friction(coefficient = 0.3, normal = floor[2])]
+    fn third(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
+        self.slip(q, v, 2)
+    }
+
+    #[friction(coefficient = 0.3, normal = floor[3])]
+    fn fourth(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
+        self.slip(q, v, 3)
+    }
+}
+
+#[test]
+fn reactions_of_feet_that_slip_apart_are_those_that_move_them() {
+    for (v, turn) in [([1.0, 0.0], 0.0), ([1.0, 0.5], 1.0), ([1.0, 0.5], 4.0), ([0.0, 0.0], 3.0)] {
+        let hull = Isometry3::translation(0.0, 0.0, 0.2);
+        let moves =
+            PoseVelocity { linear: Vector3::new(v[0], v[1], 0.0), angular: Vector3::new(0.0, 0.0, turn) };
+        let start = Turning.state(TurningCoordinates { hull }, TurningVelocities { hull: moves });
+        let mut motion = Turning.simulate(start).with_tolerance(1e-12);
+        let span = 1e-4;
+        let [before, now, after] = [0.05 - span, 0.05, 0.05 + span].map(|t| {
+            let state = *motion.advance_to(t).unwrap();
+            (Turning.velocities(&state).hull.linear, motion.reactions())
+        });
+        // Newton's law, by a central difference.
+        let force = (after.0 - before.0) * (2.0 / (2.0 * span));
+        let slips = [now.1.first, now.1.second, now.1.third, now.1.fourth];
+        let sum = slips.iter().fold([0.0; 2], |sum, own| [sum[0] + own[0], sum[1] + own[1]]);
+        close_on(1.0, sum[0], force.x, 1e-6);
+        close_on(1.0, sum[1], force.y, 1e-6);
+        close(now.1.floor.iter().sum(), 2.0 * 9.81, 1e-12);
+        assert!(!now.1.are_unique());
+    }
+}
