@@ -7,7 +7,7 @@
 
 use super::impact::Struck;
 use super::known::Known;
-use super::scene::{Scales, Scene, Status, above, most, rounding};
+use super::scene::{Scales, Scene, Status, above, entry, most, rounding};
 use super::{Row, Switching};
 use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
@@ -49,16 +49,17 @@ where
     fn recoils(&self, impulses: &[S::Scalar; C], present: &[bool; C]) -> bool {
         let largest = impulses.iter().fold(num_traits::Zero::zero(), |largest, one| most(largest, one.abs()));
         (0..C).any(|row| {
-            let has_opened = self.is_closed[row] && self.status[row] == Status::Apart && !present[row];
-            S::ROWS[row] == Row::Unilateral
+            let is_closed = self.is_closed.get(row) == Some(&true) && present.get(row) == Some(&false);
+            let has_opened = is_closed && self.status.get(row) == Some(&Status::Apart);
+            S::ROWS.get(row) == Some(&Row::Unilateral)
                 && has_opened
-                && above(impulses[row], rounding::<S::Scalar>() * largest)
+                && above(entry(impulses, row), rounding::<S::Scalar>() * largest)
         })
     }
 
-    /// The velocities after impacts in turn, and the sums of their impulses. Contacts that close strike, those
-    /// that open do not. Where closing velocities have fallen to a part `tolerance` of the first ones, a
-    /// plastic impact takes the rest.
+    /// The velocities after impacts in turn, and the sums of their impulses. Contacts that close strike,
+    /// those that open do not. Where closing velocities have fallen to a part `tolerance` of the first ones,
+    /// a plastic impact takes the rest.
     ///
     /// # Errors
     /// Those of [`impact`](Self::impact).
@@ -75,8 +76,9 @@ where
             let state = State { v, ..self.state };
             let known = Known::new(self.is_closed);
             let mut scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
-            let closing = (0..C).filter(|&row| scene.status[row] == Status::Meets);
-            let closing = closing.fold(zero, |most_, row| most(most_, scene.laws.rows.rates[row].abs()));
+            let closing = (0..C).filter(|&row| scene.status.get(row) == Some(&Status::Meets));
+            let closing =
+                closing.fold(zero, |most_, row| most(most_, entry(&scene.laws.rows.rates, row).abs()));
             if !closing.is_positive() {
                 return Ok((v, sums));
             }
@@ -90,7 +92,7 @@ where
                 scene.impact()
             }?;
             v = after;
-            sums = array(|row| sums[row] + impulses[row]);
+            sums = array(|row| entry(&sums, row) + entry(&impulses, row));
             if is_over {
                 return Ok((v, sums));
             }
@@ -99,6 +101,6 @@ where
         let known = Known::new(self.is_closed);
         let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
         let (v, impulses) = scene.plastic()?;
-        Ok((v, array(|row| sums[row] + impulses[row])))
+        Ok((v, array(|row| entry(&sums, row) + entry(&impulses, row))))
     }
 }

@@ -77,8 +77,8 @@ where
         until: S::Scalar,
     ) -> Option<Fall<S::Scalar>> {
         let number = S::Scalar::from_f64;
-        // Cones of friction leave thin sets of shares before the last ones are gone. Without them, and where a
-        // regime begins at its limit, the choice knows, which has allowed for rounding errors.
+        // Cones of friction leave thin sets of shares before the last ones are gone. Without them, and where
+        // a regime begins at its limit, the choice knows, which has allowed for rounding errors.
         let has_cones = const { has_pairs(&S::ROWS) };
         let is_within = has_cones && self.holds(self.start, Way::ByMargin);
         let way = if is_within { Way::ByMargin } else { Way::AsChosen };
