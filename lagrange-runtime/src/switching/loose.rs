@@ -56,9 +56,8 @@ where
         if is_shared { self.trial(*present) } else { None }
     }
 
-    /// The regime in which frictions along one direction slip, or contacts open, that have shared a load
-    /// until now: that of the first later time at which it drives all of them, if it is the same at half of
-    /// that time.
+    /// The regime in which frictions slip, or contacts open, that have shared a load until now: that of the
+    /// first later time at which it drives all of them, if it is the same at half of that time.
     #[cold]
     fn let_loose(
         &self,

@@ -5,9 +5,9 @@
 //! possible shares are gone, and always exists, so the sign is known to rounding there. The question
 //! whether *some* shares keep all limits is known there to the square root of that alone.
 //!
-//! The proximal bundle method finds it: cones of friction are cut by planes, the point nearest to the centre
-//! and one unit more of margin is the next one, and all cuts that were active are kept as one sum for each
-//! cone (Kiwiel, *Methods of Descent for Nondifferentiable Optimization*, chapter 2).
+//! The proximal bundle method finds it: cones of friction are cut by planes, the next point is that nearest
+//! to the centre and a reach more of margin, and all cuts of a cone that were active are kept as their mean
+//! (Kiwiel, *Methods of Descent for Nondifferentiable Optimization*, chapter 2).
 
 use super::nearest::nearest;
 use super::scene::{Scene, Sticking, above, entry, most, product};
