@@ -55,15 +55,22 @@ impl<'a> Interpreter<'a> {
     pub fn frictions(&mut self) {
         let item = self.item;
         let mut actions = None;
+        let are_read = !self.diagnostics.has_errors();
         for (index, function) in item.functions.iter().enumerate() {
             if let Some(RoleKind::Friction(friction)) = function.role.as_ref().map(|role| &role.kind) {
-                self.friction(index, friction, &mut actions);
+                self.friction(index, friction, are_read, &mut actions);
             }
         }
     }
 
     /// Lowers a friction: a scalar slips in one direction, a vector in two, an array is several frictions.
-    fn friction(&mut self, index: usize, friction: &'a Friction, actions: &mut Option<Actions>) {
+    fn friction(
+        &mut self,
+        index: usize,
+        friction: &'a Friction,
+        are_read: bool,
+        actions: &mut Option<Actions>,
+    ) {
         let function: &'a Function = &self.item.functions[index];
         let shape = self.declared(function);
         let (count, directions) = match &shape {
@@ -103,7 +110,7 @@ impl<'a> Interpreter<'a> {
         let normals = match &friction.normal {
             None => vec![None; size],
             Some(normal) => {
-                let actions = actions.get_or_insert_with(|| Actions::of(&mut self.model));
+                let actions = actions.get_or_insert_with(|| Actions::of(&mut self.model, are_read));
                 match self.limits(function, normal, frictions, actions) {
                     Some(limits) => limits.into_iter().map(Some).collect(),
                     None => return,

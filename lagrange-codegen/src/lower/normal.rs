@@ -26,16 +26,19 @@ pub(super) struct Actions {
     /// The names of constraints that are solved for a coordinate, with their actions. Their forces have no
     /// multiplier.
     eliminated: Vec<(String, Vec<Acting>)>,
+    /// Whether all constraints and places were read. After a mistake something may be missing here that the
+    /// user has written.
+    are_read: bool,
 }
 
 impl Actions {
-    pub fn of(model: &mut Model) -> Actions {
+    pub fn of(model: &mut Model, are_read: bool) -> Actions {
         let gaps = model.contacts.iter().map(|contact| &contact.constraint);
         let rows: Vec<Constraint> = model.constraints.iter().chain(gaps).cloned().collect();
         let solved: Vec<Constraint> = model.eliminations.iter().map(|one| one.constraint.clone()).collect();
         let eliminated = solved.iter().map(Constraint::written).zip(acting(model, &solved)).collect();
         let acting = acting(model, &rows);
-        Actions { rows, held: model.constraints.len(), acting, eliminated }
+        Actions { rows, held: model.constraints.len(), acting, eliminated, are_read }
     }
 
     /// The force of a row on a place, if there is any.
@@ -93,7 +96,9 @@ impl<'a> Interpreter<'a> {
                 };
                 let common = places.into_iter().find(|&place| rows.iter().all(|&row| known(row, place)));
                 let Some(place) = common else {
-                    self.report(*origin, catalogue::friction_apart());
+                    if actions.are_read {
+                        self.report(*origin, catalogue::friction_apart());
+                    }
                     return None;
                 };
                 let limit = self.together(function, &rows, place, actions);
@@ -132,8 +137,11 @@ impl<'a> Interpreter<'a> {
         if rows.is_empty() {
             let functions = self.item.functions.iter().filter(|other| has_reaction(other));
             let names: Vec<Name> = functions.map(|function| function.name.clone()).collect();
-            let near = self.near(&word.name, &names);
-            self.report(word.origin, catalogue::friction_on_unknown(&word.name, near));
+            // A constraint without a row has had its message.
+            if !names.contains(&word.name) {
+                let near = self.near(&word.name, &names);
+                self.report(word.origin, catalogue::friction_on_unknown(&word.name, near));
+            }
             return None;
         }
         let Some(element) = element else { return Some(rows) };
@@ -163,7 +171,9 @@ impl<'a> Interpreter<'a> {
         let places = &self.model.places;
         let place = places.iter().position(|place| *place.name == *word.name && place.index == index);
         let Some(place) = place else {
-            self.report(word.origin, catalogue::friction_on_free_place(&word.name));
+            if actions.are_read {
+                self.report(word.origin, catalogue::friction_on_free_place(&word.name));
+            }
             return None;
         };
         let acts = |&row: &usize| actions.at(&self.model, row, place).is_some();
@@ -180,7 +190,9 @@ impl<'a> Interpreter<'a> {
             return None;
         }
         if found.is_empty() {
-            self.report(word.origin, catalogue::friction_on_free_place(&word.name));
+            if actions.are_read {
+                self.report(word.origin, catalogue::friction_on_free_place(&word.name));
+            }
             return None;
         }
         if let Some(name) = actions.eliminated_at(&self.model, place) {
@@ -248,6 +260,5 @@ impl<'a> Interpreter<'a> {
 }
 
 fn has_reaction(function: &Function) -> bool {
-    let kind = function.role.as_ref().map(|role| &role.kind);
-    matches!(kind, Some(RoleKind::Unilateral { .. } | RoleKind::Holonomic { eliminate: None }))
+    matches!(function.meant(), Some(RoleKind::Unilateral { .. } | RoleKind::Holonomic { eliminate: None }))
 }

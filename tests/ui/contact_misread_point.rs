@@ -1,0 +1,33 @@
+//! A mistake in a particle that a friction names.
+
+use lagrangian::prelude::*;
+
+pub struct Puck {
+    pub mass: f64,
+    pub mu: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Puck {
+    #[point(mass = self.mass)]
+    fn puck(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[point(mass = self.mass)]
+    fn bead(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.z)
+    }
+
+    #[holonomic]
+    fn rail(&self, q: &Coordinates) -> f64 {
+        q.y
+    }
+
+    #[friction(coefficient = self.mu, normal = bead)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+}
+
+fn main() {}
