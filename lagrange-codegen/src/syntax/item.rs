@@ -65,7 +65,7 @@ pub struct Item {
 /// Why an item has declarations at most.
 #[derive(Debug)]
 pub enum Incomplete {
-    /// Arguments of the attribute cannot be read. The mistake is reported.
+    /// Arguments of the attribute cannot be read, or functions have one name. The mistake is reported.
     Declarations,
     /// The item does not parse, for this reason. The compiler has said so if it comes from a source file.
     Form(String),

@@ -95,6 +95,8 @@ pub fn parse(
         }
         role::refuse_on_item(item, &mut translator);
     }
+    let declared = functions.len();
+    let functions = distinct(functions);
     let sensitivities: Vec<_> =
         args.sensitivities.iter().map(|parameter| translator.expression(parameter)).collect();
     let baumgarte = args.baumgarte.map(|rate| translator.expression(&rate));
@@ -114,6 +116,7 @@ pub fn parse(
         diagnostics.error(name.span(), catalogue::no_roles(&name));
     }
     let unread = args.unread
+        || functions.len() < declared
         || coordinates.is_empty()
         || coordinates.len() < args.coordinates.len()
         || inputs.len() < args.inputs.len();
@@ -142,6 +145,22 @@ pub fn parse(
         origin,
         incomplete,
     })
+}
+
+/// The functions without those that have the name of an earlier one. The compiler reports these with both
+/// places. Which of them is meant is unknown, so nothing is derived, and no generated item has a name twice.
+fn distinct(functions: Vec<Function>) -> Vec<Function> {
+    let mut kept: Vec<Function> = Vec::new();
+    for function in functions {
+        // Functions under `cfg` may have one name, and only one of them is there.
+        let is_same = |other: &Function| {
+            other.name == function.name && other.conditional.is_none() && function.conditional.is_none()
+        };
+        if !kept.iter().any(is_same) {
+            kept.push(function);
+        }
+    }
+    kept
 }
 
 /// The velocities that a block uses and the user has not written.
