@@ -220,6 +220,8 @@ messages! {
         the pose itself";
     velocity_of_more(name) = "`{name}` is a function of more than coordinates and time, so its velocity is not known; \
         let it take `q: &Coordinates` and `t` only, and read all else from `self`";
+    function_elsewhere(name, call) = "there is no function `{name}` in this impl block; did you mean `{call}`? Move a \
+        function of your own in as an associated function and call it by `Self::{name}(…)`";
     no_velocity(name, value) = "`{name}` returns {value}, which has no velocity; let it return numbers, vectors, poses or \
         arrays of them";
     function_as_method(name, call) = "`{name}` is a method of numbers; write `{call}`";
@@ -235,6 +237,7 @@ messages! {
         must not reach itself";
     assignment_to_unknown(name) = "there is no variable `{name}` to assign to; declare it with `let mut`";
     assignment_to_self() = "parameters cannot be changed; copy the field into a `let mut` variable";
+    logarithm_without_base() = "`log` takes its base; the natural logarithm is `ln()`, and there are `log2()` and `log10()`";
     assignment_to_record(name) = "a description computes, it does not change `{name}`; copy the value into a \
         `let mut` variable";
     bad_place() = "cannot assign here; assign to a variable, an element or a component of one";

@@ -9,6 +9,7 @@ use crate::expr::{Dependence, Node, NodeId, Variable};
 use crate::syntax::body::{BinaryOperator, Expr, ExprKind, Name, Owner, Path};
 use crate::syntax::hygiene::written as written_name;
 use crate::syntax::item::{Argument, RoleKind};
+use crate::syntax::suggest::in_rust;
 use crate::syntax::{Group, Record, Scalar, refused};
 
 impl<'a> Interpreter<'a> {
@@ -151,8 +152,13 @@ impl<'a> Interpreter<'a> {
             (None, [receiver, rest @ ..])
                 if scalar::METHODS.contains(&name) && !matches!(name, "square" | "modulus") =>
             {
-                let rest: Vec<String> = rest.iter().map(written).collect();
-                let call = format!("{}.{name}({})", written(receiver), rest.join(", "));
+                // Where other languages have a function of the same name and other arguments.
+                let method = match (name, rest) {
+                    ("log", []) => "ln",
+                    ("atan", [_]) => "atan2",
+                    _ => name,
+                };
+                let call = call_of(method, receiver, rest);
                 self.refuse(path.origin, catalogue::function_as_method(name, call))
             }
             (None, [_, ..]) if scalar::REFUSED.contains(&name) => {
@@ -161,7 +167,15 @@ impl<'a> Interpreter<'a> {
             (None, _) if name.starts_with(char::is_uppercase) => {
                 self.refuse(path.origin, catalogue::foreign_value(name))
             }
-            (None, _) => self.refuse(path.origin, catalogue::free_function(name)),
+            (None, _) => match in_rust(name, &scalar::METHODS).zip(arguments.split_first()) {
+                Some((methods, (receiver, rest))) => {
+                    let is_whole = matches!(rest, [Expr { kind: ExprKind::Integer(..), .. }]);
+                    let method = if is_whole { methods.first() } else { methods.last() };
+                    let call = call_of(method.unwrap_or(&name), receiver, rest);
+                    self.refuse(path.origin, catalogue::function_elsewhere(name, call))
+                }
+                None => self.refuse(path.origin, catalogue::free_function(name)),
+            },
         }
     }
 
@@ -246,6 +260,16 @@ impl<'a> Interpreter<'a> {
             Some(RoleKind::Kinetic | RoleKind::Potential | RoleKind::Lagrangian) | None => "a Lagrangian",
         }
     }
+}
+
+/// The call of a method for a function of the arguments.
+fn call_of(method: &str, receiver: &Expr, rest: &[Expr]) -> String {
+    let receiver = written(receiver);
+    if method.contains('(') {
+        return format!("{receiver}.{method}");
+    }
+    let rest: Vec<String> = rest.iter().map(written).collect();
+    format!("{receiver}.{method}({})", rest.join(", "))
 }
 
 /// A short expression as Rust text.

@@ -11,7 +11,7 @@ use crate::diagnostics::{Origin, catalogue};
 use crate::syntax::Record;
 use crate::syntax::body::{MethodCall, Word};
 use crate::syntax::integers::Integers;
-use crate::syntax::suggest::nearest;
+use crate::syntax::suggest::{in_rust, nearest};
 
 /// Methods without an effect on values of the interpreter. Conversions take effect where the target is known.
 const TRANSPARENT: [&str; 12] = [
@@ -111,7 +111,9 @@ impl<'a> Interpreter<'a> {
         {
             return self.refuse(word.origin, catalogue::array_as_vector(receiver.describe(), &word.name));
         }
-        let near = nearest(&word.name, methods::of(receiver).iter().copied()).map(String::from);
+        let known = methods::of(receiver);
+        let near = in_rust(&word.name, known).map(|methods| methods.join("` or `"));
+        let near = near.or_else(|| nearest(&word.name, known.iter().copied()).map(String::from));
         self.refuse(word.origin, catalogue::unknown_method(receiver.describe(), &word.name, near))
     }
 

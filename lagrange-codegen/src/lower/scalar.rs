@@ -111,6 +111,9 @@ impl Interpreter<'_> {
                 };
                 Some(self.graph().clamp(node, [low, high]))
             }
+            "log" if arguments.is_empty() => {
+                return self.refuse(word.origin, catalogue::logarithm_without_base());
+            }
             "powf" | "log" | "atan2" | "hypot" | "min" | "max" => {
                 let Some([other]) = self.exactly(word, arguments, origin) else { return Value::Unknown };
                 let Some(other) = self.scalar(other, origin) else { return Value::Unknown };
