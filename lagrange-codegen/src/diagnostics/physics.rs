@@ -36,6 +36,14 @@ pub fn no_effect(role: &str, function: &str, eliminated: bool) -> String {
     )
 }
 
+/// An event function that stays the same.
+pub fn no_event(function: &str) -> String {
+    format!(
+        "the event `{function}` never happens: its value is the same all through a motion; let it depend on coordinates, \
+         velocities or time, remove it, or say `allow(no_effect)` in the attribute"
+    )
+}
+
 /// A particle or body that no coordinate moves.
 pub fn fixed_in_space(kind: &str, function: &str, eliminated: bool) -> String {
     let left = left(eliminated);

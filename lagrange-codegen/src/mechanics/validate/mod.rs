@@ -45,6 +45,10 @@ pub(super) fn contributions(
             diagnostics.at(term.origin, physics::no_effect(role, &term.name, eliminated));
         }
     }
+    let changing = state.union(Dependence::TIME).union(Dependence::INPUTS);
+    for event in model.events.iter().filter(|event| idle(event.value, changing)) {
+        diagnostics.at(event.origin, physics::no_event(&event.name));
+    }
     let mut reported: Vec<Origin> = Vec::new();
     let complain =
         |reported: &mut Vec<Origin>, origin: Origin, message: String, diagnostics: &mut Diagnostics| {
