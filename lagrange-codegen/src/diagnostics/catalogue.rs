@@ -80,6 +80,8 @@ messages! {
     unknown_role(name, near) = "there is no role `{name}`; did you mean `{near}`?";
     mixed_friction() = "a friction is limited by a reaction or by a given force; write `#[friction(coefficient = …, \
         normal = …)]` with `static_coefficient` where it differs, or `#[friction(limit = …)]` with `static_limit`";
+    friction_without_limit() = "nothing limits this friction; write `#[friction(coefficient = self.mu, normal = floor)]` for a \
+        share of the reaction of `floor`, or `#[friction(limit = self.force)]` for a force that is given";
     friction_without_normal() = "a coefficient of friction needs the constraint whose reaction it multiplies; add \
         `normal = floor`, or give the force itself: `#[friction(limit = …)]`";
     friction_on_unknown(name; near) = "`{name}` is no constraint with a reaction{near}; name a function with the role \
@@ -96,6 +98,8 @@ messages! {
     friction_by_form(constraint, place) = "`{constraint}` names coordinates that move `{place}`, so that its force there \
         does not follow from its form; write it as a function of `self.{place}(q)`, or give the normal force itself as a \
         function: `#[friction(limit = force)]`";
+    friction_vectors(name, count) = "`{name}` returns an array of vectors, but each friction in two directions is a \
+        function of its own; write {count} that return a `Vector2`, each with its `#[friction(…)]`";
     friction_count(name, have, want) = "`{name}` has {have}, and its normal has {want}; name one of these, or return as \
         many slip velocities";
     unknown_law(name) = "there is no law of impact `{name}`; known are `newton`, `poisson` and `plastic`";
@@ -216,12 +220,12 @@ messages! {
         this impl block can be inlined";
     free_function(name) = "only functions of this impl block can be inlined; move `{name}` in as an \
         associated function and call it by `Self::`, or make its value a field";
+    function_elsewhere(name, call) = "there is no function `{name}` in this impl block; did you mean `{call}`? Move a \
+        function of your own in as an associated function and call it by `Self::{name}(…)`";
     foreign_value(name) = "`{name}(…)` makes a value that has no part in an equation; write the number, the vector or \
         the pose itself";
     velocity_of_more(name) = "`{name}` is a function of more than coordinates and time, so its velocity is not known; \
         let it take `q: &Coordinates` and `t` only, and read all else from `self`";
-    function_elsewhere(name, call) = "there is no function `{name}` in this impl block; did you mean `{call}`? Move a \
-        function of your own in as an associated function and call it by `Self::{name}(…)`";
     no_velocity(name, value) = "`{name}` returns {value}, which has no velocity; let it return numbers, vectors, poses or \
         arrays of them";
     function_as_method(name, call) = "`{name}` is a method of numbers; write `{call}`";
@@ -233,11 +237,11 @@ messages! {
     needs_self(name) = "`{name}` takes `self`; call it as `self.{name}(…)`";
     argument_count(name, expected, given) = "`{name}` takes {expected}, {given} given";
     bad_arguments(name) = "`{name}` cannot be called with these arguments; it needs constant counts";
+    logarithm_without_base() = "`log` takes its base; the natural logarithm is `ln()`, and there are `log2()` and `log10()`";
     recursion(cycle) = "these functions call each other without end: `{cycle}`; a helper is inlined and \
         must not reach itself";
     assignment_to_unknown(name) = "there is no variable `{name}` to assign to; declare it with `let mut`";
     assignment_to_self() = "parameters cannot be changed; copy the field into a `let mut` variable";
-    logarithm_without_base() = "`log` takes its base; the natural logarithm is `ln()`, and there are `log2()` and `log10()`";
     assignment_to_record(name) = "a description computes, it does not change `{name}`; copy the value into a \
         `let mut` variable";
     bad_place() = "cannot assign here; assign to a variable, an element or a component of one";

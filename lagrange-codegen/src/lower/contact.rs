@@ -1,11 +1,12 @@
 //! Contacts: gaps that do not become negative, and slip velocities with what limits their friction.
 
+use super::advice::counted;
 use super::interpreter::Interpreter;
 use super::normal::{Actions, Limit};
 use super::places::nodes;
 use super::shape::Shape;
 use super::value::Value;
-use crate::diagnostics::physics;
+use crate::diagnostics::{catalogue, physics};
 use crate::expr::{Dependence, NodeId};
 use crate::model::{Constraint, ConstraintKind, Contact, Law};
 use crate::number::Number;
@@ -54,8 +55,8 @@ impl<'a> Interpreter<'a> {
     /// Lowers all frictions, after the constraints and gaps that limit them.
     pub fn frictions(&mut self) {
         let item = self.item;
-        let mut actions = None;
         let are_read = !self.diagnostics.has_errors();
+        let mut actions = None;
         for (index, function) in item.functions.iter().enumerate() {
             if let Some(RoleKind::Friction(friction)) = function.role.as_ref().map(|role| &role.kind) {
                 self.friction(index, friction, are_read, &mut actions);
@@ -77,18 +78,26 @@ impl<'a> Interpreter<'a> {
             Shape::Scalar => (None, 1),
             Shape::Vector(2) => (Some(2), 2),
             Shape::Array(element, length @ 1..) if **element == Shape::Scalar => (Some(*length), 1),
+            Shape::Array(element, length @ 1..) if **element == Shape::Vector(2) => {
+                let count = counted(*length, "function");
+                return self.refuse_return(function, catalogue::friction_vectors(&function.name, count));
+            }
             _ if function.output.is_none() => return,
             _ => return self.wrong_return(function, &shape),
         };
         let frictions = if directions == 2 { None } else { count };
         let size = frictions.unwrap_or(1);
-        let Some(kinetic) = self.coefficients(&friction.kinetic, frictions, "coefficient") else { return };
+        let [own, held] = match friction.normal {
+            Some(_) => ["coefficient", "static_coefficient"],
+            None => ["limit", "static_limit"],
+        };
+        let Some(kinetic) = self.coefficients(&friction.kinetic, frictions, own) else { return };
         let negative = || physics::negative_friction(&function.name);
         self.refuse_constants(&friction.kinetic, &kinetic, Number::is_negative, negative);
         let fixed = match &friction.fixed {
             None => kinetic.clone(),
             Some(expr) => {
-                let Some(fixed) = self.coefficients(expr, frictions, "static_coefficient") else { return };
+                let Some(fixed) = self.coefficients(expr, frictions, held) else { return };
                 self.refuse_constants(expr, &fixed, Number::is_negative, negative);
                 let graph = &mut self.model.graph;
                 let excess: Vec<NodeId> =

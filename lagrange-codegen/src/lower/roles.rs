@@ -98,16 +98,21 @@ impl<'a> Interpreter<'a> {
 
     /// Reports a result of the wrong shape.
     pub fn wrong_return(&mut self, function: &'a Function, shape: &Shape) {
-        let origin = function.output.as_ref().map_or(function.origin, |ty| ty.origin);
         if let Some(role) = &function.role {
             let described = match shape {
                 Shape::Any => "a type that the macro does not know".to_string(),
                 known => known.describe(),
             };
             let message = catalogue::wrong_return(&function.name, returns(&role.kind), described);
-            self.report(origin, message);
-            self.misshapen.extend(self.item.functions.iter().position(|other| other.name == function.name));
+            self.refuse_return(function, message);
         }
+    }
+
+    /// Reports a return type, and refuses calls of the function from then on.
+    pub fn refuse_return(&mut self, function: &'a Function, message: String) {
+        let origin = function.output.as_ref().map_or(function.origin, |ty| ty.origin);
+        self.report(origin, message);
+        self.misshapen.extend(self.item.functions.iter().position(|other| other.name == function.name));
     }
 
     fn energy(&mut self, index: usize, target: impl Fn(&mut crate::model::Model) -> &mut Vec<Term>) {

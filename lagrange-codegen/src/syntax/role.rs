@@ -232,27 +232,31 @@ fn kind(
             Some(RoleKind::Unilateral { restitution, poisson: named == "poisson" })
         }
         "friction" => {
-            let (size, fixed) = match (find("limit"), find("normal")) {
-                (None, _) => ("coefficient", "static_coefficient"),
-                (Some(_), _) => ("limit", "static_limit"),
+            let span = spans::span(attribute.path());
+            let (size, fixed, kinetic) = match (take("limit"), take("coefficient")) {
+                (Some(limit), _) => ("limit", "static_limit", limit),
+                (None, Some(coefficient)) => ("coefficient", "static_coefficient", coefficient),
+                (None, None) => {
+                    translator.diagnostics.error(span, catalogue::friction_without_limit());
+                    return None;
+                }
             };
             let allowed = |key: &str| key == size || key == fixed || (key == "normal" && size != "limit");
             if let Some(other) = given.iter().find(|given| !allowed(&given.key.to_string())) {
                 translator.diagnostics.error(other.key.span(), catalogue::mixed_friction());
                 return None;
             }
-            let kinetic = required(size, translator);
+            let kinetic = translator.expression(kinetic);
             let fixed = take(fixed).map(|expr| translator.expression(expr));
             let normal = match take("normal") {
                 Some(normal) => Some(limiting(normal, translator)?),
-                None if size == "limit" || kinetic.is_none() => None,
+                None if size == "limit" => None,
                 None => {
-                    let span = spans::span(attribute.path());
                     translator.diagnostics.error(span, catalogue::friction_without_normal());
                     return None;
                 }
             };
-            Some(RoleKind::Friction(Box::new(Friction { kinetic: kinetic?, fixed, normal })))
+            Some(RoleKind::Friction(Box::new(Friction { kinetic, fixed, normal })))
         }
         "event" => Some(RoleKind::Event),
         _ => match (take("at"), take("on")) {

@@ -70,7 +70,8 @@ fn roles() {
         energy(quote!(#[unilateral(restitutoin = 0.5)])),
         "`unilateral` has no argument `restitutoin`; did",
     );
-    block(energy(quote!(#[friction])), "`#[friction]` needs `coefficient`; ");
+    block(energy(quote!(#[friction])), "nothing limits this friction; ");
+    block(energy(quote!(#[friction(static_limit = 0.5)])), "nothing limits this friction; ");
     block(energy(quote!(#[friction(coefficient = 0.5)])), "a coefficient of friction needs the constraint");
     block(
         energy(quote!(#[friction(limit = 0.5, coefficient = 0.5)])),
