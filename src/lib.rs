@@ -128,9 +128,9 @@ pub mod prelude {
         UnitQuaternion, Vector1, Vector2, Vector3,
     };
     pub use lagrange_runtime::{
-        BlanesMoan4, BlanesMoan6, Cause, Crossing, Dop853, Event, Gauss4, Gauss6, Gauss8, Guard, Jet, Jets,
-        Leapfrog, Linearized, MotionError, Ordered, Parametric, PoseVelocity, Real, Rk4, Sensitive, State,
-        System, Tangent, Twist2, Twist3, Yoshida4, Yoshida6, Yoshida8,
+        BlanesMoan4, BlanesMoan6, Cause, Crossing, Derivatives, Dop853, Event, Gauss4, Gauss6, Gauss8, Guard,
+        Jet, Jets, Leapfrog, Linearized, MotionError, Ordered, Parametric, PoseVelocity, Real, Rk4,
+        Sensitive, State, System, Tangent, Twist2, Twist3, Yoshida4, Yoshida6, Yoshida8,
     };
 }
 

@@ -51,9 +51,9 @@ pub mod system;
 pub use analysis::inertia::InertiaForces;
 pub use analysis::verify::{self, Certificate, Identity, Violation};
 pub use analysis::{
-    self as tangent, Basis, ByParameters, Equilibrium, EquilibriumError, FoundBy, Imbalance, InverseDynamics,
-    LinearModel, Parametric, Response, Sensitive, Sensitivities, Stability, Tangent, Transition, Variation,
-    Variational, VariationalMotion,
+    self as tangent, Basis, ByParameters, Derivatives, Equilibrium, EquilibriumError, FoundBy, Imbalance,
+    InverseDynamics, LinearModel, Parametric, Response, Sensitive, Sensitivities, Stability, Tangent,
+    Transition, Variation, Variational, VariationalMotion,
 };
 #[cfg(feature = "std")]
 pub use analysis::{Mode, Monodromy};

@@ -90,7 +90,7 @@ pub trait Sensitive<
 /// `sensitivities`.
 #[diagnostic::on_unimplemented(
     message = "the derivatives of the equations of `{Self}` by parameters are not generated",
-    label = "this needs `sensitivities = […]`",
+    label = "this needs `sensitivities = […]`, and a system without contacts and dry friction",
     note = "say so in the attribute: `#[lagrangian(coordinates = […], sensitivities = [self.mass])]`",
     note = "a system with contacts or dry friction has derivatives of its motions alone, by `variational`"
 )]
@@ -103,29 +103,26 @@ pub trait Parametric<const N: usize, const K: usize = 0, const C: usize = 0, con
         constants: &Self::Constants,
         place: &Place<'_, Self::Scalar, N, K, C>,
     ) -> ByParameters<Self::Scalar, N, C, P>;
+}
 
-    /// Derivatives of accelerations and multipliers by the parameters at a fixed state.
-    ///
-    /// # Errors
-    /// A singular mass matrix or constraints without a solution, with the time; a value that is not finite.
-    fn sensitivities(
-        &self,
-        state: &State<Self::Scalar, N>,
-        u: &[Self::Scalar; K],
-    ) -> Result<Sensitivities<Self::Scalar, N, C, P>, MotionError<Self::Scalar>>
-    where
-        Self: Sized,
-    {
-        let constants = self.constants();
-        let Factored { balance, saddle, .. } = factored(self, &constants, state, u)?;
-        let State { t, q, v } = state;
-        let place = Place { t: *t, q, v, a: &balance.accelerations, multipliers: &balance.multipliers, u };
-        let by_p = self.by_parameters_at(&constants, &place);
-        let (accelerations, multipliers) = columns(&saddle, &by_p.forces, &by_p.conditions);
-        if accelerations.iter().chain(&multipliers).all(|x| x.is_finite()) {
-            Ok(Sensitivities { accelerations, multipliers })
-        } else {
-            Err(MotionError { cause: Cause::NotFinite, t: *t })
-        }
+/// The method of `Derivatives`.
+pub(super) fn sensitivities<S, const N: usize, const K: usize, const C: usize, const P: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    u: &[S::Scalar; K],
+) -> Result<Sensitivities<S::Scalar, N, C, P>, MotionError<S::Scalar>>
+where
+    S: Parametric<N, K, C, P>,
+{
+    let constants = system.constants();
+    let Factored { balance, saddle, .. } = factored(system, &constants, state, u)?;
+    let State { t, q, v } = state;
+    let place = Place { t: *t, q, v, a: &balance.accelerations, multipliers: &balance.multipliers, u };
+    let by_p = system.by_parameters_at(&constants, &place);
+    let (accelerations, multipliers) = columns(&saddle, &by_p.forces, &by_p.conditions);
+    if accelerations.iter().chain(&multipliers).all(|x| x.is_finite()) {
+        Ok(Sensitivities { accelerations, multipliers })
+    } else {
+        Err(MotionError { cause: Cause::NotFinite, t: *t })
     }
 }

@@ -78,7 +78,7 @@ pub struct Jacobians<R, const N: usize, const K: usize> {
 /// A system with generated derivatives: one whose attribute asks for `jacobians`.
 #[diagnostic::on_unimplemented(
     message = "the derivatives of the equations of `{Self}` are not generated",
-    label = "this needs `jacobians`",
+    label = "this needs `jacobians`, and a system without contacts and dry friction",
     note = "say so in the attribute: `#[lagrangian(coordinates = […], jacobians)]`"
 )]
 pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
@@ -114,7 +114,7 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
         u: &[Self::Scalar; K],
     ) -> [[Self::Scalar; K]; N];
 
-    /// The equations that [`Linearized::jacobians`] solves, into matrices of zeros.
+    /// The equations that `Derivatives::jacobians` solves, into matrices of zeros.
     #[doc(hidden)]
     fn factored_at(
         &self,
@@ -133,41 +133,36 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
             (matrices.by_q, matrices.by_v) = (by_q, by_v);
         }
     }
+}
 
-    /// ∂a/∂q, ∂a/∂v and ∂a/∂u at a state under the inputs `u`: M⁻¹ times the derivatives of r at the
-    /// accelerations there.
-    ///
-    /// # Errors
-    /// A singular mass matrix, or a value that is not finite.
-    fn jacobians(
-        &self,
-        state: &State<Self::Scalar, N>,
-        u: &[Self::Scalar; K],
-    ) -> Result<Jacobians<Self::Scalar, N, K>, MotionError<Self::Scalar>>
-    where
-        Self: Sized,
-    {
-        let constants = self.constants();
-        let State { t, q, v } = state;
-        let mut factored = Factored::new();
-        self.factored_at(&constants, *t, q, v, u, &mut factored);
-        let mut by_u = self.by_inputs_at(&constants, *t, q, v, u);
-        if factored.is_sound {
-            factored.factors.solve(&mut factored.by_q, &mut factored.by_v, &mut by_u);
-        } else {
-            pivoted(self, &constants, state, u, &mut factored, &mut by_u)?;
-        }
-        let Factored { by_q, by_v, .. } = &factored;
-        if !(are_finite(by_q) && are_finite(by_v) && are_finite(&by_u)) {
-            return Err(failed(self, &constants, state));
-        }
-        let mut jacobians =
-            Jacobians { by_q: SMatrix::zeros(), by_v: SMatrix::zeros(), by_u: SMatrix::zeros() };
-        put_columns(by_q, &mut jacobians.by_q);
-        put_columns(by_v, &mut jacobians.by_v);
-        put_columns(&by_u, &mut jacobians.by_u);
-        Ok(jacobians)
+/// The method of `Derivatives`.
+///
+/// # Errors
+/// A singular mass matrix, or a value that is not finite.
+pub(crate) fn jacobians<S: Linearized<N, K>, const N: usize, const K: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    u: &[S::Scalar; K],
+) -> Result<Jacobians<S::Scalar, N, K>, MotionError<S::Scalar>> {
+    let constants = system.constants();
+    let State { t, q, v } = state;
+    let mut factored = Factored::new();
+    system.factored_at(&constants, *t, q, v, u, &mut factored);
+    let mut by_u = system.by_inputs_at(&constants, *t, q, v, u);
+    if factored.is_sound {
+        factored.factors.solve(&mut factored.by_q, &mut factored.by_v, &mut by_u);
+    } else {
+        pivoted(system, &constants, state, u, &mut factored, &mut by_u)?;
     }
+    let Factored { by_q, by_v, .. } = &factored;
+    if !(are_finite(by_q) && are_finite(by_v) && are_finite(&by_u)) {
+        return Err(failed(system, &constants, state));
+    }
+    let mut jacobians = Jacobians { by_q: SMatrix::zeros(), by_v: SMatrix::zeros(), by_u: SMatrix::zeros() };
+    put_columns(by_q, &mut jacobians.by_q);
+    put_columns(by_v, &mut jacobians.by_v);
+    put_columns(&by_u, &mut jacobians.by_u);
+    Ok(jacobians)
 }
 
 fn failed<S: System<N, K>, const N: usize, const K: usize>(
@@ -178,7 +173,7 @@ fn failed<S: System<N, K>, const N: usize, const K: usize>(
     MotionError { cause: diagnose(system, constants, *t, q, v), t: *t }
 }
 
-/// What [`Linearized::jacobians`] solves for, by pivots, where M is not positive definite.
+/// What `Derivatives::jacobians` solves for, by pivots, where M is not positive definite.
 #[cold]
 fn pivoted<S: Linearized<N, K>, const N: usize, const K: usize>(
     system: &S,

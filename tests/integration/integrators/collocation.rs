@@ -1,7 +1,7 @@
 //! Gauss collocation on generated systems: orders, long runs, stiffness, damping, inputs, failure, `f32`.
 
+use lagrangian::FixedStep;
 use lagrangian::prelude::*;
-use lagrangian::{FixedStep, Linearized};
 
 use crate::support::close::{between, close};
 use crate::support::motion::state_at;
