@@ -182,13 +182,14 @@ fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
         String::new()
     };
     let timeless = if is_autonomous(switching) { "const AUTONOMOUS: bool = true;\n" } else { "" };
+    let varying = if has_varying_coefficients(switching) { "const VARYING: bool = true;\n" } else { "" };
     let generic = match companion_scalar(emission) {
         Scalar::Generic(_) => format!("<{scalar}>"),
         Scalar::F64 | Scalar::F32 => String::new(),
     };
     format!(
         "type InRegime = {NAME}{generic};\n\
-         const ROWS: [lagrange::Row; {rows}] = [{}];\n{poisson}{named}{timeless}\
+         const ROWS: [lagrange::Row; {rows}] = [{}];\n{poisson}{named}{timeless}{varying}\
          fn in_regime(&self, __regime: &lagrange::Regime<{scalar}, {rows}, {kinks}>) -> {NAME}{generic} {{\n\
          {values}{NAME} {{ parameters: [{}] }}\n}}\n",
         kinds.join(", "),
@@ -196,17 +197,27 @@ fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
     )
 }
 
+/// The coefficients of restitution and friction.
+fn coefficients_of(switching: &Regimes) -> impl Iterator<Item = NodeId> {
+    switching.laws_of.iter().flatten().flat_map(|law| match law {
+        Law::Unilateral { restitution, .. } => [*restitution; 2],
+        Law::Friction { kinetic, fixed, .. } => [*kinetic, *fixed],
+    })
+}
+
+/// Whether any coefficient changes with the state or with time. Inputs are held.
+fn has_varying_coefficients(switching: &Regimes) -> bool {
+    let changes = Dependence::COORDINATES.union(Dependence::VELOCITIES).union(Dependence::TIME);
+    coefficients_of(switching).any(|node| switching.rows.graph.dependence(node).meets(changes))
+}
+
 /// Whether no equation and no law depends on time.
 fn is_autonomous(switching: &Regimes) -> bool {
     let conditions = &switching.laws.conditions;
-    let coefficients = switching.laws_of.iter().flatten().flat_map(|law| match law {
-        Law::Unilateral { restitution, .. } => [*restitution; 2],
-        Law::Friction { kinetic, fixed, .. } => [*kinetic, *fixed],
-    });
     let rows = conditions.positions.iter().chain(&conditions.rates).chain(&switching.kinks);
     let factors =
         switching.rows.loads.iter().flat_map(|load| &load.force).flatten().map(|&(_, factor)| factor);
-    let mut laws = rows.copied().chain(coefficients).chain(factors);
+    let mut laws = rows.copied().chain(coefficients_of(switching)).chain(factors);
     switching.facts.autonomous
         && !laws.any(|node| switching.rows.graph.dependence(node).meets(Dependence::TIME))
 }

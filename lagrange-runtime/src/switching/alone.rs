@@ -3,7 +3,8 @@
 use super::choice::Choice;
 use super::kinks::sides;
 use super::known::Known;
-use super::scene::{Scales, Scene, Sticking};
+use super::scales::Scales;
+use super::scene::{Scene, Sticking};
 use super::{Regime, Row, Switching};
 use crate::number::real::Real;
 use crate::system::System;

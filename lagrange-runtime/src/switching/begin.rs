@@ -3,8 +3,9 @@
 use super::kinks::{followed, sides};
 use super::known::Known;
 use super::run::Run;
-use super::scene::{Scene, above, against, entry, extent, most, rounding};
+use super::scene::{Scene, above, entry, extent, most};
 use super::sided::turn_ahead;
+use super::valid::valid;
 use super::{Coefficients, Laws, Regime, Row, Switching};
 use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
@@ -113,28 +114,7 @@ where
         laws: &Laws<S::Scalar, C, W>,
         coefficients: &[Coefficients<S::Scalar, C>; 2],
     ) -> Result<(), Cause> {
-        let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
-        for (row, kind) in S::ROWS.iter().enumerate() {
-            // Bounds are those of the coefficient itself. Its derivatives may have any value.
-            let e = laws.restitution[row].part(0);
-            // A friction that slips has one direction.
-            let slip = laws.rows.rates[row];
-            let is_one = above(slip.abs(), rounding::<S::Scalar>() * laws.rows.rate_sizes[row]);
-            let is_valid = |Coefficients { kinetic, fixed }: &Coefficients<S::Scalar, C>| {
-                let (kinetic, fixed) = (kinetic[row].part(0), fixed[row].part(0));
-                // Guards have the squares of coefficients.
-                kinetic >= zero && fixed >= kinetic && (fixed * fixed).is_finite()
-            };
-            let is_good = match kind {
-                Row::Bilateral | Row::Load => true,
-                Row::Unilateral => e >= zero && e <= one,
-                Row::Friction { .. } if is_one => is_valid(against(coefficients, slip)),
-                Row::Friction { .. } => coefficients.iter().all(is_valid),
-            };
-            if !is_good {
-                return Err(Cause::InvalidContact { constraint: row, name: S::NAMES.constraint(row) });
-            }
-        }
+        valid::<S, N, K, C, W>(laws, coefficients, &[num_traits::Zero::zero(); C], |_| true)?;
         if !laws.rows.positions.iter().chain(&laws.kinks).copied().all(Real::is_finite) {
             return Err(Cause::NotFinite);
         }
@@ -144,6 +124,21 @@ where
             Some(row) => Err(Cause::VanishingGradient { constraint: row, name: S::NAMES.constraint(row) }),
             None => Ok(()),
         }
+    }
+
+    /// The cause of an error where the gap of an open contact is negative by more than a start may penetrate.
+    pub(super) fn missed(&self, laws: &Laws<S::Scalar, C, W>) -> Option<Cause> {
+        let share = S::Scalar::from_f64(1.0 / 16.0) * S::Scalar::epsilon().sqrt();
+        (0..C).find_map(|row| {
+            let gap = laws.rows.positions[row];
+            let size = most(laws.rows.position_sizes[row], self.memory.scales.gaps[row]);
+            let is_open = S::ROWS[row] == Row::Unilateral && !self.memory.regime.active[row];
+            (is_open && above(-gap, share * size)).then(|| Cause::Penetrates {
+                constraint: row,
+                name: S::NAMES.constraint(row),
+                by: magnitude(-gap),
+            })
+        })
     }
 
     /// Refuses a start that penetrates by more than √ε/16 of the size of the gap, which for `f64` is the last

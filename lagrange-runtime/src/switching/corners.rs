@@ -2,7 +2,9 @@
 
 use super::run::{CHANGES, Run};
 use super::scene::{above, entry, most};
-use super::{Regime, Switching, Wanted};
+use super::sided::along;
+use super::way::shift;
+use super::{Regime, Row, Switching, Wanted};
 use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real};
 use crate::number::rounded::Rounded;
@@ -11,6 +13,9 @@ use crate::system::error::Cause;
 use crate::system::method::Adaptive;
 use crate::system::name::Name;
 use crate::system::state::State;
+
+/// The rounding errors of time by which a state beside a kink may lie on its other side.
+const HIDDEN: f64 = 16.0;
 
 impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
 where
@@ -122,5 +127,65 @@ where
             });
         });
         found
+    }
+    /// The time after a kink from which on the gradients of the gaps that are closed are known \[s]: zero if
+    /// they are known at the kink itself. The distance from the edge of a table, for example, has no gradient
+    /// on the edge, but it grows where the motion goes: there the contact opens, and needs none.
+    ///
+    /// # Errors
+    /// [`Cause::VanishingGradient`] if rounding errors decide about a gradient, and the gap does not open.
+    pub(super) fn beyond_corner(
+        &self,
+        place: &State<S::Scalar, N>,
+        kinks: &[S::Scalar; W],
+    ) -> Result<S::Scalar, Cause> {
+        let none: S::Scalar = num_traits::Zero::zero();
+        let is_closed = |row: usize| {
+            S::ROWS.get(row) == Some(&Row::Unilateral) && self.memory.regime.active.get(row) == Some(&true)
+        };
+        if !(0..C).any(is_closed) {
+            return Ok(none);
+        }
+        let passed = most(place.t.abs(), (place.t - self.memory.start.t).abs()).part(0);
+        let hidden = S::Scalar::from_f64(HIDDEN) * S::Scalar::epsilon() * passed;
+        let beside = |steps: f64| {
+            let mut state = *place;
+            shift(&mut state, &[none; N], S::Scalar::from_f64(steps) * hidden);
+            state.at_time(place.t + S::Scalar::from_f64(steps) * hidden)
+        };
+        let in_regime = self.system.in_regime(&Regime { kinks: *kinks, ..self.memory.regime });
+        let gradients = [-1.0, 0.0, 1.0].map(|steps| {
+            let State { t, q, v } = beside(steps);
+            S::rows_in(&in_regime, t, &q, &v, &self.control.0)
+        });
+        let [Some(before), Some(there), Some(after)] = gradients else { return Ok(none) };
+        // A gradient that changes by half of its digits within a time that rounding hides is not known.
+        let is_known = |row: usize| {
+            let (mut change, mut size) = (none, none);
+            for (i, &unit) in before.units.iter().enumerate() {
+                let [one, two, three] = [&before, &there, &after].map(|rows| entry(&rows.gradients[row], i));
+                change += ((one - two).abs() + (two - three).abs()) * unit;
+                size += (one.abs() + two.abs() + three.abs()) * unit;
+            }
+            let is_finite = size.is_finite() && entry(&there.gamma, row).is_finite();
+            is_finite && !above(change, S::Scalar::epsilon().sqrt() * size)
+        };
+        let unknown: [bool; C] = array(|row| is_closed(row) && !is_known(row));
+        if !unknown.contains(&true) {
+            return Ok(none);
+        }
+        let wanted = Wanted { rows: unknown, fixed: [false; C], kinks: [false; W] };
+        let [near, far] = [1.0, 2.0].map(|steps| {
+            along(self.system, &beside(steps), &[none; N], &self.control.0, kinks, &wanted).rows
+        });
+        // Rates that are positive and nearly the same tell that a gap opens.
+        let opens = |row: usize| {
+            let [near, far] = [near[row].slopes[0], far[row].slopes[0]];
+            above(near, S::Scalar::from_f64(2.0) * (far - near).abs())
+        };
+        match (0..C).find(|&row| unknown[row] && !opens(row)) {
+            None => Ok(hidden),
+            Some(row) => Err(Cause::VanishingGradient { constraint: row, name: S::NAMES.constraint(row) }),
+        }
     }
 }

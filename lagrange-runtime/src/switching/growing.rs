@@ -13,11 +13,10 @@
 mod load;
 mod strays;
 
-use load::{Load, Not};
-
 use super::choice::Choice;
 use super::launch::LAUNCHED;
-use super::scene::{Scales, Scene, above, entry, most, put, rounding};
+use super::scales::Scales;
+use super::scene::{Scene, above, entry, most, put, rounding};
 use super::sided::laws_on;
 use super::turning::has_pairs;
 use super::way::{Ramp, Way, shift};
@@ -26,6 +25,7 @@ use crate::linear::SaddlePoint;
 use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real};
 use crate::system::state::State;
+use load::{Load, Not};
 
 /// The most times that a time is lengthened or shortened.
 pub(super) const TRIES: usize = 128;

@@ -3,7 +3,8 @@
 mod values;
 mod watch;
 
-use super::scene::{Scales, entry, most, rounding};
+use super::scales::Scales;
+use super::scene::{entry, most, rounding};
 use super::sided::laws_on;
 use super::{Functions, Regime, Row, Switching};
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved};

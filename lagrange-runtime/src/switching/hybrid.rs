@@ -13,7 +13,7 @@ use core::marker::PhantomData;
 
 use super::memory::HybridMemory;
 use super::run::Run;
-use super::scene::Scales;
+use super::scales::Scales;
 use super::standstill::is_at_rest;
 use super::way::Way;
 use super::{Regime, Switching};

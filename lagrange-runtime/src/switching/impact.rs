@@ -19,7 +19,8 @@
 //! distance the energy is no larger than before.
 
 use super::known::Known;
-use super::scene::{Scales, Scene, Status, above, entry, most, product, rounding};
+use super::scales::Scales;
+use super::scene::{Scene, Status, above, entry, most, product, rounding};
 use super::trials::{FEW, Options, Part, changes, combinations, combine, thresholds};
 use super::{Laws, Row, Switching};
 use crate::number::elements::{Each, array};

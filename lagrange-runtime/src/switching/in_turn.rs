@@ -7,7 +7,8 @@
 
 use super::impact::Struck;
 use super::known::Known;
-use super::scene::{Scales, Scene, Status, above, entry, most, rounding};
+use super::scales::Scales;
+use super::scene::{Scene, Status, above, entry, most, rounding};
 use super::{Row, Switching};
 use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};

@@ -6,7 +6,8 @@
 use super::choice::Choice;
 use super::growing::{Grown, TRIES};
 use super::known::Known;
-use super::scene::{Scales, Scene, Status, above, entry};
+use super::scales::Scales;
+use super::scene::{Scene, Status, above, entry};
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
 use crate::number::elements::{Each, array};

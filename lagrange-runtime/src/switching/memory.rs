@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::guards::Guard;
-use super::scene::Scales;
+use super::scales::Scales;
 use super::way::Way;
 use super::{Regime, Row};
 use crate::integrator::jets::JetsMemory;

@@ -40,6 +40,7 @@ mod reactions;
 mod rest;
 mod run;
 mod saltation;
+mod scales;
 mod scene;
 mod shares;
 mod sided;
@@ -49,6 +50,7 @@ mod steps;
 mod sweeps;
 mod trials;
 mod turning;
+mod valid;
 mod way;
 
 use crate::constraints::{Equations, Residuals};
@@ -174,6 +176,9 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
 
     /// Whether none of the equations and laws contains time: then rest lasts.
     const AUTONOMOUS: bool = false;
+
+    /// Whether any coefficient of restitution or friction changes with the state or with time.
+    const VARYING: bool = false;
 
     /// The number of functions of regimes that a series follows.
     const FOLLOWED: usize = 0;

@@ -24,6 +24,12 @@ pub(super) struct Event<R, const N: usize, const W: usize> {
 }
 
 impl<R: Real, const N: usize, const W: usize> Event<R, N, W> {
+    /// The end of a piece at a state before which no guard has fired.
+    pub(super) fn cut(state: State<R, N>) -> Self {
+        let (zero, accelerations, crossed) = (R::zero(), [R::zero(); N], [false; W]);
+        Self { state, guard: None, is_shared: false, late: zero, accelerations, place: state, crossed }
+    }
+
     /// Takes the place back from the state, by its delay.
     pub(super) fn go_back(&mut self) {
         self.place = self.state;

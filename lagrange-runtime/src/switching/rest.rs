@@ -8,7 +8,8 @@
 use super::choice::Sizes;
 use super::impact::Struck;
 use super::known::Known;
-use super::scene::{Scales, Scene, Status, above, entry, extent, most, put, rounding};
+use super::scales::Scales;
+use super::scene::{Scene, Status, above, entry, extent, most, put, rounding};
 use super::sided::laws_on;
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;

@@ -5,13 +5,13 @@ use super::hybrid::{Memory, sum};
 use super::kinks::{followed, jumped};
 use super::known::Known;
 use super::place::Event;
-use super::scene::{Scene, above, most};
+use super::scene::{Scene, Status, most};
 use super::standstill::is_at_rest;
 use super::turning::has_pairs;
 use super::way::{Way, shift};
 use super::{Regime, Row, Switching};
 use crate::integrator::jets::probe::restrained;
-use crate::number::elements::array;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::control::Held;
@@ -81,8 +81,10 @@ where
             let first = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
             let (later, last);
             let mut scene = &first;
+            scene.has_gradients()?;
             if scene.has_impact() {
-                scales.strike(&scene.status, &scene.laws);
+                scene.can_collide(&scales.coefficients)?;
+                scales.strike(&scene.status.each(|status| status == Status::Meets), &scene.laws);
                 (state.v, *impulses) =
                     scene.collide(&present.active, known.fired, scales, self.limits.relative)?;
                 let rested = scene.stopped(&state.v, impulses);
@@ -231,7 +233,9 @@ where
             let memory = &mut *self.memory;
             let (start, end) = (*M::start(&memory.inner), *M::end(&memory.inner));
             (memory.start, memory.end) = (start, end);
-            let found = self.event(attempts).map_err(|cause| {
+            let found = self.event(attempts).and_then(|found| self.valid_until(found)).map_err(|cause| {
+                // A later call begins here again, not at the end of the step.
+                M::restart(&mut self.memory.inner, start);
                 self.memory.end = start;
                 at(&start, cause)
             })?;
@@ -276,26 +280,10 @@ where
         }
     }
 
-    /// The cause of an error where the gap of an open contact is negative by more than a start may penetrate.
-    fn missed(&self, laws: &super::Laws<S::Scalar, C, W>) -> Option<Cause> {
-        let share = S::Scalar::from_f64(1.0 / 16.0) * S::Scalar::epsilon().sqrt();
-        (0..C).find_map(|row| {
-            let gap = laws.rows.positions[row];
-            let size = most(laws.rows.position_sizes[row], self.memory.scales.gaps[row]);
-            let is_open = S::ROWS[row] == Row::Unilateral && !self.memory.regime.active[row];
-            (is_open && above(-gap, share * size)).then(|| Cause::Penetrates {
-                constraint: row,
-                name: S::NAMES.constraint(row),
-                by: crate::system::error::magnitude(-gap),
-            })
-        })
-    }
-
     /// Whether more time has passed than rounding hides. If so, the changes of regime before it are
     /// forgotten.
     fn passed(&mut self, from: S::Scalar, to: S::Scalar) -> bool {
-        let resolution = S::Scalar::from_f64(16.0) * S::Scalar::epsilon() * from.abs();
-        let has_passed = (to - from).abs() > resolution;
+        let has_passed = is_beyond_rounding(from, to);
         if has_passed {
             (self.memory.flips, self.memory.changes, self.memory.opened) = ([0; W], 0, [false; C]);
         }
@@ -307,7 +295,7 @@ where
         let memory = &mut *self.memory;
         let (state, mut present) = (memory.end, memory.regime);
         memory.changes += 1;
-        let mut fired = None;
+        let (mut fired, mut beyond) = (None, num_traits::Zero::zero());
         match guard {
             Guard::Kink(_) => {
                 for (kink, _) in event.crossed.iter().enumerate().filter(|(_, is_crossed)| **is_crossed) {
@@ -315,6 +303,7 @@ where
                 }
                 let before = &self.memory.regime.kinks;
                 present.kinks = followed(self.system, &state, &self.control.0, before, &present.kinks);
+                beyond = self.beyond_corner(&event.place, &present.kinks)?;
             }
             Guard::Row(row) => {
                 if memory.changes > CHANGES * (C + W) {
@@ -340,16 +329,24 @@ where
         // What has held is at rest, whatever the roundings of its rate are. At a kink the rate may jump.
         let rested = if fired.is_some() { present.active } else { [false; C] };
         let known = Known { fired, rested, opened: self.memory.opened, ..Known::new(present.active) };
+        let go_beyond = |state: &mut State<S::Scalar, N>, a: &[S::Scalar; N]| {
+            shift(state, a, beyond);
+            state.t += beyond;
+        };
         let varied = if S::Scalar::PARTS > 1 && regime_ends {
             let a = &event.accelerations;
             let shared = event.is_shared;
-            self.varied(guard, shared, &state, a, |run, state| run.settle(state, present, known, event.late))?
+            self.varied(guard, shared, &state, a, |run, state| {
+                go_beyond(state, a);
+                run.settle(state, present, known, event.late)
+            })?
         } else {
             num_traits::Zero::zero()
         };
         let mut state = event.place;
         shift(&mut state, &event.accelerations, varied);
         state.t += varied;
+        go_beyond(&mut state, &event.accelerations);
         let regime = self.settle(&mut state, present, known, event.late - varied)?;
         self.memory.note_ends(&S::ROWS, [&present, &regime], fired);
         self.memory.next = Some((regime, state));
@@ -395,4 +392,9 @@ where
             (memory.end, memory.next, memory.is_way) = (start, None, false);
         }
     }
+}
+
+/// Whether more time lies between two times than rounding hides.
+pub(super) fn is_beyond_rounding<R: Ordered>(from: R, to: R) -> bool {
+    (to - from).abs() > R::from_f64(16.0) * R::epsilon() * from.abs()
 }

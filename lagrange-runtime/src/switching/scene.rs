@@ -3,30 +3,13 @@
 use num_traits::Zero;
 
 use super::known::Known;
+use super::scales::Scales;
+pub(super) use super::scales::{above, most, rounding};
 use super::sided::laws_on;
 use super::{Coefficients, Laws, Regime, Row, Switching};
 use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::state::State;
-
-/// Values below this many rounding errors of their scale count as zero: gaps where contacts touch, slip
-/// velocities of friction at rest, reactions and accelerations where one regime ends and another begins.
-const ROUNDINGS: f64 = 256.0;
-
-/// The part of a size that counts as zero.
-pub(super) fn rounding<R: Real>() -> R {
-    R::from_f64(ROUNDINGS) * R::epsilon()
-}
-
-/// Whether a > b.
-pub(super) fn above<R: Real>(a: R, b: R) -> bool {
-    (a - b).is_positive()
-}
-
-/// The larger of two.
-pub(super) fn most<R: Real>(a: R, b: R) -> R {
-    if above(a, b) { a } else { b }
-}
 
 /// The number of a row; zero if there is no such row.
 pub(super) fn entry<R: Real, const C: usize>(numbers: &[R; C], row: usize) -> R {
@@ -48,52 +31,6 @@ pub(super) fn product<R: Real, const N: usize>(a: &[R; N], x: &[R; N]) -> R {
 /// Σ |aᵢ xᵢ|.
 pub(super) fn extent<R: Real, const N: usize>(a: &[R; N], x: &[R; N]) -> R {
     a.iter().zip(x).fold(R::zero(), |sum, (&a, &x)| sum + (a * x).abs())
-}
-
-/// The scales that a motion has shown so far, since a number that is zero has no scale of its own.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Scales<R, const C: usize> {
-    /// The largest Σ |summands| of gaps.
-    pub(super) gaps: [R; C],
-    /// The largest Σ |summands| of rates and slip velocities.
-    pub(super) speeds: [R; C],
-    /// The largest speeds at which contacts have closed in impacts.
-    pub(super) impacts: [R; C],
-    /// The largest reactions where regimes began.
-    pub(super) reactions: [R; C],
-    /// The tolerance of the motion.
-    pub(super) relative: R,
-}
-
-impl<R: Real, const C: usize> Scales<R, C> {
-    pub(super) fn new() -> Self {
-        let none = [R::zero(); C];
-        Self { gaps: none, speeds: none, impacts: none, reactions: none, relative: R::zero() }
-    }
-
-    /// The part of a speed below which a slip in two directions has no known direction: errors of its
-    /// velocities have any direction.
-    pub(super) fn lost(&self) -> R {
-        most(self.relative, rounding())
-    }
-
-    /// Takes in an impact.
-    pub(super) fn strike<const W: usize>(&mut self, status: &[Status; C], laws: &Laws<R, C, W>) {
-        let rows = self.impacts.iter_mut().zip(status).zip(&laws.rows.rates);
-        for ((seen, _), &rate) in rows.filter(|((_, status), _)| **status == Status::Meets) {
-            *seen = most(*seen, rate.abs());
-        }
-    }
-
-    /// Takes in another state.
-    pub(super) fn see<const W: usize>(&mut self, laws: &Laws<R, C, W>) {
-        let sizes = [(&mut self.gaps, &laws.rows.position_sizes), (&mut self.speeds, &laws.rows.rate_sizes)];
-        for (seen, now) in sizes {
-            for (seen, &now) in seen.iter_mut().zip(now) {
-                *seen = most(*seen, now);
-            }
-        }
-    }
 }
 
 /// The coefficients, of those forward and backward, that act against a slip in the direction of this sign.

@@ -47,7 +47,8 @@ fn take_side<S, const N: usize, const K: usize, const C: usize, const W: usize>(
             Row::Friction { .. } => *rate = function.value,
             Row::Bilateral | Row::Load => continue,
         }
-        if (rate.abs() - *size).is_positive() {
+        // Where the function of another side has no gradient, its summands have no size, either.
+        if !size.is_finite() || (rate.abs() - *size).is_positive() {
             *size = rate.abs();
         }
     }
@@ -82,7 +83,7 @@ where
 }
 
 /// Functions on these sides of the kinks, and their rates along a motion with these accelerations.
-fn along<S, const N: usize, const K: usize, const C: usize, const W: usize>(
+pub(super) fn along<S, const N: usize, const K: usize, const C: usize, const W: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
     accelerations: &[S::Scalar; N],

@@ -195,6 +195,8 @@ where
     const ROWS: [Row; C] = S::ROWS;
     const POISSON: [bool; C] = S::POISSON;
     const AUTONOMOUS: bool = S::AUTONOMOUS;
+
+    const VARYING: bool = S::VARYING;
     const FOLLOWED: usize = S::FOLLOWED;
     const ALONG: Functions<Along, C, W> = S::ALONG;
     const BACKWARD: [Along; C] = S::BACKWARD;

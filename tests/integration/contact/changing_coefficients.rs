@@ -271,3 +271,99 @@ fn a_start_at_a_jump_is_a_start_behind_it() {
         close(clamped.simulate(start).advance_to(end).unwrap().q[0], 0.251, 1e-12);
     }
 }
+
+/// A block whose friction has the limit `mean` + `swing` cos t.
+struct Swinging {
+    mean: f64,
+    swing: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Swinging {
+    #[point(mass = 1.0)]
+    fn block(&self, q: &Coordinates) -> f64 {
+        q.x
+    }
+
+    fn holds(&self, t: f64) -> f64 {
+        self.mean + self.swing * t.cos()
+    }
+
+    #[friction(limit = holds)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+}
+
+#[test]
+fn a_limit_that_becomes_negative_on_the_way_is_an_error() {
+    for mean in [0.0, 0.4, 0.9, 0.99] {
+        // The limit is negative between these times, which long steps would pass over.
+        let swinging = Swinging { mean, swing: 1.0 };
+        let begins = (-mean).acos();
+        let mut motion = swinging.simulate(State::new([0.0], [40.0]));
+        let before = begins - 1e-9;
+        let slowed = mean * before + before.sin();
+        close(motion.advance_to(before).unwrap().v[0], 40.0 - slowed, TIGHT);
+        // The error stays where it is.
+        for end in [20.0, begins + 1.0, 30.0] {
+            let error = motion.advance_to(end).unwrap_err();
+            let Cause::InvalidContact { name, .. } = error.cause else { panic!("{error}") };
+            assert_eq!(name.as_str(), "slip");
+            close(error.t, begins, 1e-7);
+        }
+        let mut stepper = swinging.stepper::<Jet<6>>(State::new([0.0], [40.0]));
+        let error = (0..400).find_map(|_| stepper.step(0.05, &[]).err()).unwrap();
+        assert!(matches!(error.cause, Cause::InvalidContact { .. }), "{error}");
+        assert!((error.t - begins).abs() <= 0.05, "{error}");
+    }
+}
+
+#[test]
+fn a_limit_that_touches_zero_holds_on() {
+    let mut motion = Swinging { mean: 1.0, swing: 1.0 }.simulate(State::new([0.0], [40.0]));
+    close(motion.advance_to(20.0).unwrap().v[0], 40.0 - 20.0 - 20.0_f64.sin(), 1e-12);
+}
+
+/// A puck on a floor that is smoother the further it slides.
+struct Polished;
+
+#[lagrangian(coordinates = [x, y])]
+impl Polished {
+    #[point(mass = 1.0)]
+    fn puck(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        9.81 * q.y
+    }
+
+    #[unilateral]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        q.y
+    }
+
+    fn roughness(&self, q: &Coordinates) -> f64 {
+        0.2 - 0.4 * q.x
+    }
+
+    #[friction(coefficient = roughness, normal = floor)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+}
+
+#[test]
+fn a_coefficient_that_becomes_negative_on_the_way_is_an_error() {
+    // x = 1/2 - cosh(ω t)/2 + v sinh(ω t)/ω with ω² = 0.4 g, and the coefficient is zero at 1/2.
+    let omega = (0.4_f64 * 9.81).sqrt();
+    let mut motion = Polished.simulate(State::new([0.0, 0.0], [3.0, 0.0]));
+    let error = motion.advance_to(2.0).unwrap_err();
+    assert!(matches!(error.cause, Cause::InvalidContact { name, .. } if name.as_str() == "slip"), "{error}");
+    close(error.t, (0.5 * omega / 3.0).atanh() / omega, 1e-9);
+    // In the air it does not matter.
+    let end = *Polished.simulate(State::new([0.0, 0.1], [10.0, 0.0])).advance_to(0.1).unwrap();
+    close(end.q[0], 1.0, TIGHT);
+}

@@ -3,6 +3,7 @@
 use lagrangian::prelude::*;
 
 use crate::support::close::{all_close, close_on};
+use crate::support::sample::Samples;
 
 /// A particle over a floor of a description.
 macro_rules! over {
@@ -139,5 +140,73 @@ fn a_body_that_is_put_at_rest_sticks_whichever_way_it_slipped() {
         motion.advance_to(0.5).unwrap();
         motion.set_state(State::at_rest([0.8]).at_time(0.5));
         assert_eq!(motion.advance_to(8.0).unwrap().q, [0.8]);
+    }
+}
+
+/// A particle on a rough table that ends at x = 0 with a sharp edge: the gap is a distance, which has no
+/// gradient on the edge. The table is turned by an angle.
+struct Sharp {
+    friction: f64,
+    restitution: f64,
+    angle: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Sharp {
+    #[point(mass = 1.0)]
+    fn particle(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    /// Along the table and above it.
+    fn place(&self, q: &Coordinates) -> [f64; 2] {
+        let (c, s) = (self.angle.cos(), self.angle.sin());
+        [c * q.x + s * q.y, c * q.y - s * q.x]
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        9.81 * self.place(q)[1]
+    }
+
+    #[unilateral(restitution = self.restitution)]
+    fn table(&self, q: &Coordinates) -> f64 {
+        let [along, above] = self.place(q);
+        if along < 0.0 {
+            above
+        } else if above < 0.0 {
+            along
+        } else {
+            (along.powi(2) + above.powi(2)).sqrt()
+        }
+    }
+
+    #[friction(coefficient = self.friction, normal = table)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        self.angle.cos() * v.x + self.angle.sin() * v.y
+    }
+}
+
+#[test]
+fn a_body_slides_over_a_sharp_edge() {
+    let mut samples = Samples::new(7);
+    for number in 0..300 {
+        let (friction, angle) = (samples.number(0.0, 0.5), samples.number(-0.5, 0.5));
+        let angle = if number % 3 == 0 { 0.0 } else { angle };
+        let sharp = Sharp { friction, restitution: 0.5 * f64::from(number % 2), angle };
+        let (way, speed) = (samples.number(0.1, 1.0), samples.number(0.5, 4.0));
+        let (c, s) = (angle.cos(), angle.sin());
+        let turned = |along: f64, above: f64| [c * along - s * above, s * along + c * above];
+        let mut motion = sharp.simulate(State::new(turned(-way, 0.0), turned(speed, 0.0)));
+        let end = *motion.advance_to(1.5).unwrap_or_else(|error| panic!("{number}: {error}"));
+        let slows = friction * 9.81;
+        let left = speed * speed - 2.0 * slows * way;
+        let expected = if left <= 0.0 {
+            [speed * speed / (2.0 * slows) - way, 0.0]
+        } else {
+            let falls = 1.5 - 2.0 * way / (speed + left.sqrt());
+            [left.sqrt() * falls, -0.5 * 9.81 * falls * falls]
+        };
+        all_close(&end.q, &turned(expected[0], expected[1]), 1e-10);
     }
 }

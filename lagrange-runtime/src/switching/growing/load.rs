@@ -1,7 +1,8 @@
 //! The load that makes slips begin, at a later time.
 
 use super::super::known::Known;
-use super::super::scene::{Scales, Scene, Status, above, entry, most, put};
+use super::super::scales::Scales;
+use super::super::scene::{Scene, Status, above, entry, most, put};
 use super::super::way::shift;
 use super::super::{Regime, Switching};
 use crate::number::elements::{Each, array};

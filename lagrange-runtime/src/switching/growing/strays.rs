@@ -3,7 +3,8 @@
 use super::super::Switching;
 use super::super::known::Known;
 use super::super::launch::LAUNCHED;
-use super::super::scene::{Scales, Scene, above, entry, most, rounding};
+use super::super::scales::Scales;
+use super::super::scene::{Scene, above, entry, most, rounding};
 use super::Grown;
 use super::load::Load;
 use crate::number::elements::Each;

@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::switching::known::Known;
-use crate::switching::scene::{Scales, Scene};
+use crate::switching::scales::Scales;
+use crate::switching::scene::Scene;
 
 const G: f64 = 9.81;
 
