@@ -34,6 +34,7 @@ mod loose;
 mod margin;
 mod memory;
 mod nearest;
+mod pace;
 mod pivoting;
 mod place;
 mod reactions;

@@ -23,11 +23,9 @@ use crate::system::state::State;
 /// The most changes of regime without any time between them, for each row and kink. More count as endless.
 pub(super) const CHANGES: usize = 4;
 
-/// The longest step, as a multiple of the time that is asked for. Calls for short times share long steps.
-const AHEAD: f64 = 1024.0;
-
-/// The most times that a step without a known end is tried shorter, by the same factor.
+/// The most times that a step without a known end is tried shorter, and the factor.
 const NEARER: usize = 4;
+const NEARER_BY: f64 = 1024.0;
 
 /// A motion on its way.
 pub(super) struct Run<'a, S, M, const N: usize, const K: usize, const C: usize, const W: usize>
@@ -202,15 +200,10 @@ where
                 }
             }
             let t_end = if M::IS_PACED { self.steady(t) } else { t };
+            let mut limits = self.limits_towards(t);
             let memory = &mut *self.memory;
             let (in_regime, constants) = (&memory.in_regime, &memory.constants);
-            // A motion with constant accelerations has a series for all times, of which the end leaves the
-            // beginning no digits: a slip that is about to end would not be seen to end.
-            let mut limits = *self.limits;
-            if C > 0 {
-                limits.step = Some(limits.clip(S::Scalar::from_f64(AHEAD) * (t - here.t).abs()));
-            }
-            // The end of such a series may also lie where no configuration is known well enough.
+            // The end of a series may also lie where no configuration is known well enough.
             let mut tries = if M::IS_PACED { 0 } else { NEARER };
             let stepped = loop {
                 let (inner, control) = (&mut memory.inner, self.control);
@@ -218,7 +211,9 @@ where
                 let is_undetermined =
                     matches!(stepped, Err(MotionError { cause: Cause::Undetermined { .. }, .. }));
                 match limits.step.as_mut() {
-                    Some(longest) if is_undetermined && tries > 0 => *longest /= S::Scalar::from_f64(AHEAD),
+                    Some(longest) if is_undetermined && tries > 0 => {
+                        *longest /= S::Scalar::from_f64(NEARER_BY)
+                    }
                     _ => break stepped,
                 }
                 tries -= 1;

@@ -54,11 +54,40 @@ where
             let error = number(0.25) * grown.later * lacks;
             // Numbers alone: times that follow from them have no variation.
             let error = error / (most(scales.relative, ulps) * speed);
+            let all = self.all_stray(rows, [&found, &grown.way.accelerations], &state.v, strength);
+            let all = number(0.25) * grown.later * all / most(scales.relative, ulps);
+            strays.error = most(strays.error, all.part(0));
             strays.error = most(strays.error, error.part(0));
             let known = slip / most(number(LAUNCHED) * ulps * speed, self.hidden_slip(strength));
             let known = known.part(0);
             strays.known = if above(strays.known, known) { known } else { strays.known };
         }
         strays.error.is_finite().then_some(strays)
+    }
+    /// The difference of two accelerations, as a part of the velocities, in units in which no coordinate is
+    /// larger than another \[1/s]. Beside the slip the whole motion may turn while the load grows: a ball that
+    /// spins carries its load round. Roundings are those of what forces could give the slip, its `strength`.
+    fn all_stray(
+        &self,
+        rows: [usize; 2],
+        [one, other]: [&[S::Scalar; N]; 2],
+        v: &[S::Scalar; N],
+        strength: S::Scalar,
+    ) -> S::Scalar {
+        let square = |number: &dyn Fn(usize) -> S::Scalar| {
+            (0..N).fold(num_traits::Zero::zero(), |sum: S::Scalar, i| sum + number(i) * number(i))
+        };
+        let unit = |i: usize| entry(&self.units, i);
+        let level = |i: usize, number: S::Scalar| {
+            if unit(i).is_positive() { number / unit(i) } else { num_traits::Zero::zero() }
+        };
+        let lacks = square(&|i| level(i, entry(one, i) - entry(other, i))).sqrt();
+        let speed = square(&|i| level(i, entry(v, i))).sqrt();
+        // A slip of this strength is one of the motion.
+        let gradients = rows.each(|row| self.gradients.get(row));
+        let slope = gradients.into_iter().flatten().fold(num_traits::Zero::zero(), |size, gradient| {
+            most(size, square(&|i| entry(gradient, i) * unit(i)).sqrt())
+        });
+        most(lacks - rounding::<S::Scalar>() * strength / slope, num_traits::Zero::zero()) / speed
     }
 }
