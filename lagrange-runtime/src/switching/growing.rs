@@ -12,20 +12,19 @@
 
 mod load;
 mod strays;
+mod taken;
 
 use super::choice::Choice;
 use super::launch::LAUNCHED;
 use super::scales::Scales;
-use super::scene::{Scene, above, entry, most, put, rounding};
-use super::sided::laws_on;
+use super::scene::{Scene, above, most, rounding};
 use super::turning::has_pairs;
 use super::way::{Ramp, Way, shift};
 use super::{Regime, Switching};
-use crate::linear::SaddlePoint;
 use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real};
 use crate::system::state::State;
-use load::{Load, Not};
+use load::Not;
 
 /// The most times that a time is lengthened or shortened.
 pub(super) const TRIES: usize = 128;
@@ -44,10 +43,16 @@ pub(super) struct Grown<R, const N: usize, const C: usize, const W: usize> {
     later: R,
     /// The changes of coordinates and velocities until then.
     gain: [[R; N]; 2],
+    ramp: Ramp<R, N>,
     pub(super) way: Way<R, N>,
 }
 
 impl<R: Real, const N: usize, const C: usize, const W: usize> Grown<R, N, C, W> {
+    /// The motion in a regime from velocities `v`, with these accelerations.
+    fn along(regime: Regime<R, C, W>, v: &[R; N], ramp: Ramp<R, N>) -> Self {
+        Self { regime, later: ramp.lasts, gain: ramp.gain(v), way: Way::along(&ramp), ramp }
+    }
+
     /// Takes a state on from the start of the motion to its end, which is this much later where the time of
     /// the event varies.
     pub(super) fn take_on(&self, state: &mut State<R, N>, late: R) {
@@ -284,8 +289,7 @@ where
         let end = S::equations_in(&in_regime, t, &q, &v, self.inputs)?.balance().accelerations;
         let middle = array(|i| S::Scalar::from_f64(0.5) * (start[i] + end[i]));
         let ramp = Ramp { start, middle, end, lasts: later };
-        let gain = ramp.gain(&self.state.v);
-        Some(Grown { regime: stuck.regime, later, gain, way: Way::along(&ramp) })
+        Some(Grown::along(stuck.regime, &self.state.v, ramp))
     }
 
     /// The same as far as the regime lasts.
@@ -333,6 +337,7 @@ where
                 return Err(Not::Grown);
             }
             let grown = self.taken_on(regime, a, &middle, &end).ok_or(Not::Grown)?;
+            let grown = self.corrected(&grown).ok_or(Not::Grown)?;
             let strays = self.strays(&grown, &end, scales).ok_or(Not::Grown)?;
             // The slip grows like t², and what it does to its own load like t⁴.
             let factor = number(0.9) / strays.error.part(0).sqrt().sqrt();
@@ -348,53 +353,5 @@ where
             (later, largest) = (later * factor, strays.error * factor * factor);
         }
         Err(Not::Grown)
-    }
-
-    /// The motion until the end of a time, with the accelerations `a` now and loads in its middle and at its
-    /// end.
-    fn taken_on(
-        &self,
-        regime: Regime<S::Scalar, C, W>,
-        a: &[S::Scalar; N],
-        middle: &Load<S::Scalar, N, C>,
-        end: &Load<S::Scalar, N, C>,
-    ) -> Option<Grown<S::Scalar, N, C, W>> {
-        let number = S::Scalar::from_f64;
-        let (zero, later): (S::Scalar, _) = (num_traits::Zero::zero(), end.later);
-        let begins = self.beginning(&regime);
-        let mut ramp = Ramp { start: *a, middle: middle.accelerations, end: end.accelerations, lasts: later };
-        let State { t, q, v } = self.state;
-        let [gain_q, gain_v] = ramp.gain(&v);
-        let (t, q, v) = (t + later, array(|i| q[i] + gain_q[i]), array(|i| v[i] + gain_v[i]));
-        // The slip has the direction of the load, as it is at the end.
-        let rates = laws_on(self.system, &State { t, q, v }, self.inputs, &self.kinks).rows.rates;
-        let mut lack = [zero; C];
-        for rows in begins.slips(&S::ROWS) {
-            // Where nothing accelerates the slip, that is so for varied motions, too.
-            let size = |load: &dyn Fn(usize) -> S::Scalar| {
-                let [x, y] = rows.each(load);
-                if x.part(0) == zero && y.part(0) == zero { zero } else { x.hypot(y) }
-            };
-            let [first, half, last] = [
-                size(&|row| self.rate(row, a)),
-                size(&|row| entry(&middle.rates, row)),
-                size(&|row| entry(&end.rates, row)),
-            ];
-            let mean = (first + number(4.0) * half + last) / number(6.0);
-            for row in rows {
-                let slip = later * mean * (entry(&end.rates, row) / last);
-                put(&mut lack, row, slip - entry(&rates, row));
-            }
-        }
-        let in_regime = self.system.in_regime(&begins.held(&regime));
-        let equations = S::equations_in(&in_regime, t, &q, &v, self.inputs)?;
-        let (change, _) = equations.saddle.solve(&[zero; N], &lack);
-        // Where the load turns, the slip turns with it: what that adds to its velocity grows like t³.
-        for ((middle, end), &change) in ramp.middle.iter_mut().zip(&mut ramp.end).zip(&change) {
-            let rate = change / later;
-            *middle += number(0.75) * rate;
-            *end += number(3.0) * rate;
-        }
-        Some(Grown { regime, later, gain: ramp.gain(&self.state.v), way: Way::along(&ramp) })
     }
 }

@@ -7,6 +7,7 @@ use crate::system::state::State;
 
 /// Accelerations that change over a short time: the parabola through those at its start, in its middle and at
 /// its end.
+#[derive(Clone, Copy)]
 pub(super) struct Ramp<R, const N: usize> {
     pub(super) start: [R; N],
     pub(super) middle: [R; N],

@@ -37,6 +37,7 @@ where
         let in_regime = self.system.in_regime(&grown.regime);
         let equations = S::equations_in(&in_regime, state.t, &state.q, &state.v, self.inputs)?;
         let found = equations.balance().accelerations;
+        let beside = self.beside_slips(grown, &state, grown.way.accelerations)?;
         let known = Known::settled(self.is_closed);
         let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
         let mut strays = Strays { error: zero, known: number(f64::INFINITY) };
@@ -54,7 +55,7 @@ where
             let error = number(0.25) * grown.later * lacks;
             // Numbers alone: times that follow from them have no variation.
             let error = error / (most(scales.relative, ulps) * speed);
-            let all = self.all_stray(rows, [&found, &grown.way.accelerations], &state.v, strength);
+            let all = self.all_stray(rows, [&beside, &grown.way.accelerations], &state.v, strength);
             let all = number(0.25) * grown.later * all / most(scales.relative, ulps);
             strays.error = most(strays.error, all.part(0));
             strays.error = most(strays.error, error.part(0));
