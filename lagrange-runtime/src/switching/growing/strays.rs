@@ -37,7 +37,6 @@ where
         let in_regime = self.system.in_regime(&grown.regime);
         let equations = S::equations_in(&in_regime, state.t, &state.q, &state.v, self.inputs)?;
         let found = equations.balance().accelerations;
-        let beside = self.beside_slips(grown, &state, grown.way.accelerations)?;
         let known = Known::settled(self.is_closed);
         let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
         let mut strays = Strays { error: zero, known: number(f64::INFINITY) };
@@ -55,7 +54,9 @@ where
             let error = number(0.25) * grown.later * lacks;
             // Numbers alone: times that follow from them have no variation.
             let error = error / (most(scales.relative, ulps) * speed);
-            let all = self.all_stray(rows, [&beside, &grown.way.accelerations], &state.v, strength);
+            // Friction has the direction of the slip, which has the roundings of all velocities.
+            let lost = rounding::<S::Scalar>() + ulps * speed / slip;
+            let all = self.all_stray(rows, [&found, &grown.way.accelerations], &state.v, strength * lost);
             let all = number(0.25) * grown.later * all / most(scales.relative, ulps);
             strays.error = most(strays.error, all.part(0));
             strays.error = most(strays.error, error.part(0));
@@ -67,13 +68,13 @@ where
     }
     /// The difference of two accelerations, as a part of the velocities, in units in which no coordinate is
     /// larger than another \[1/s]. Beside the slip the whole motion may turn while the load grows: a ball that
-    /// spins carries its load round. Roundings are those of what forces could give the slip, its `strength`.
+    /// spins carries its load round. What the slip has `lost` by roundings \[slip/s] is left out.
     fn all_stray(
         &self,
         rows: [usize; 2],
         [one, other]: [&[S::Scalar; N]; 2],
         v: &[S::Scalar; N],
-        strength: S::Scalar,
+        lost: S::Scalar,
     ) -> S::Scalar {
         let square = |number: &dyn Fn(usize) -> S::Scalar| {
             (0..N).fold(num_traits::Zero::zero(), |sum: S::Scalar, i| sum + number(i) * number(i))
@@ -84,11 +85,10 @@ where
         };
         let lacks = square(&|i| level(i, entry(one, i) - entry(other, i))).sqrt();
         let speed = square(&|i| level(i, entry(v, i))).sqrt();
-        // A slip of this strength is one of the motion.
         let gradients = rows.each(|row| self.gradients.get(row));
         let slope = gradients.into_iter().flatten().fold(num_traits::Zero::zero(), |size, gradient| {
             most(size, square(&|i| entry(gradient, i) * unit(i)).sqrt())
         });
-        most(lacks - rounding::<S::Scalar>() * strength / slope, num_traits::Zero::zero()) / speed
+        most(lacks - lost / slope, num_traits::Zero::zero()) / speed
     }
 }
