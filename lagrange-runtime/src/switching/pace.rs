@@ -31,7 +31,8 @@ where
             let asked = (t - self.memory.end.t).abs();
             limits.step = Some(limits.clip(S::Scalar::from_f64(AHEAD) * asked));
         }
-        if const { has_pairs(&S::ROWS) } {
+        // The rounding errors of derivatives are beyond such a tolerance.
+        if const { has_pairs(&S::ROWS) && S::Scalar::PARTS == 1 } {
             let least = S::Scalar::from_f64(LEAST) * S::Scalar::epsilon();
             let tight = limits.relative * self.slowness();
             limits.relative = smaller(limits.relative, most(tight, least));

@@ -56,8 +56,11 @@ where
             let error = error / (most(scales.relative, ulps) * speed);
             // Friction has the direction of the slip, which has the roundings of all velocities.
             let lost = rounding::<S::Scalar>() + ulps * speed / slip;
-            let all = self.all_stray(rows, [&found, &grown.way.accelerations], &state.v, strength * lost);
-            let all = number(0.25) * grown.later * all / most(scales.relative, ulps);
+            let [all, speed] = self.all_stray(rows, [&found, &grown.way.accelerations], &state.v);
+            // A body that was at rest has the velocity that forces could give it.
+            let speed = most(speed, grown.later * strength);
+            let all = number(0.25) * grown.later * most(all - lost * strength, zero);
+            let all = all / (most(scales.relative, ulps) * speed);
             strays.error = most(strays.error, all.part(0));
             strays.error = most(strays.error, error.part(0));
             let known = slip / most(number(LAUNCHED) * ulps * speed, self.hidden_slip(strength));
@@ -66,29 +69,28 @@ where
         }
         strays.error.is_finite().then_some(strays)
     }
-    /// The difference of two accelerations, as a part of the velocities, in units in which no coordinate is
-    /// larger than another \[1/s]. Beside the slip the whole motion may turn while the load grows: a ball that
-    /// spins carries its load round. What the slip has `lost` by roundings \[slip/s] is left out.
+    /// The sizes of the difference of two accelerations and of the velocities `v`, as those of the largest
+    /// slip that such a motion could make \[slip/s, slip]. Beside the slip the whole motion may turn while the
+    /// load grows: a ball that spins carries its load round.
     fn all_stray(
         &self,
         rows: [usize; 2],
         [one, other]: [&[S::Scalar; N]; 2],
         v: &[S::Scalar; N],
-        lost: S::Scalar,
-    ) -> S::Scalar {
-        let square = |number: &dyn Fn(usize) -> S::Scalar| {
-            (0..N).fold(num_traits::Zero::zero(), |sum: S::Scalar, i| sum + number(i) * number(i))
+    ) -> [S::Scalar; 2] {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let size = |number: &dyn Fn(usize) -> S::Scalar| {
+            (0..N).fold(zero, |sum, i| sum + number(i) * number(i)).sqrt()
         };
+        // In units in which no coordinate is larger than another.
         let unit = |i: usize| entry(&self.units, i);
-        let level = |i: usize, number: S::Scalar| {
-            if unit(i).is_positive() { number / unit(i) } else { num_traits::Zero::zero() }
-        };
-        let lacks = square(&|i| level(i, entry(one, i) - entry(other, i))).sqrt();
-        let speed = square(&|i| level(i, entry(v, i))).sqrt();
+        let level = |i: usize, number: S::Scalar| if unit(i).is_positive() { number / unit(i) } else { zero };
         let gradients = rows.each(|row| self.gradients.get(row));
-        let slope = gradients.into_iter().flatten().fold(num_traits::Zero::zero(), |size, gradient| {
-            most(size, square(&|i| entry(gradient, i) * unit(i)).sqrt())
-        });
-        most(lacks - lost / slope, num_traits::Zero::zero()) / speed
+        let slope = gradients
+            .into_iter()
+            .flatten()
+            .fold(zero, |slope, gradient| most(slope, size(&|i| entry(gradient, i) * unit(i))));
+        let lacks = size(&|i| level(i, entry(one, i) - entry(other, i)));
+        [slope * lacks, slope * size(&|i| level(i, entry(v, i)))]
     }
 }
