@@ -345,12 +345,13 @@ where
             if !above(strays.error, number(1.0)) || !is_fast {
                 return Ok(grown);
             }
-            // A shorter time does not mend an error that falls no faster than the slip.
+            // A shorter time does not mend the error of an acceleration that stays. That of a load which turns
+            // falls like t².
             if above(strays.error, largest) {
                 return Err(Not::Strays);
             }
             let factor = most(factor, number(1.0 / FACTOR));
-            (later, largest) = (later * factor, strays.error * factor * factor);
+            (later, largest) = (later * factor, strays.error * factor * factor.sqrt());
         }
         Err(Not::Grown)
     }
