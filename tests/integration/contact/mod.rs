@@ -4,6 +4,7 @@ mod balls;
 mod bearings;
 mod belts;
 mod bounces;
+mod bowls;
 mod breakaway;
 mod changing_coefficients;
 mod coincident;
