@@ -272,10 +272,11 @@ fn a_start_at_a_jump_is_a_start_behind_it() {
     }
 }
 
-/// A block whose friction has the limit `mean` + `swing` cos t.
+/// A block whose friction has the limit `mean` + `swing` cos t, but no less than `least`.
 struct Swinging {
     mean: f64,
     swing: f64,
+    least: f64,
 }
 
 #[lagrangian(coordinates = [x])]
@@ -286,7 +287,7 @@ impl Swinging {
     }
 
     fn holds(&self, t: f64) -> f64 {
-        self.mean + self.swing * t.cos()
+        (self.mean + self.swing * t.cos()).max(self.least)
     }
 
     #[friction(limit = holds)]
@@ -299,7 +300,7 @@ impl Swinging {
 fn a_limit_that_becomes_negative_on_the_way_is_an_error() {
     for mean in [0.0, 0.4, 0.9, 0.99] {
         // The limit is negative between these times, which long steps would pass over.
-        let swinging = Swinging { mean, swing: 1.0 };
+        let swinging = Swinging { mean, swing: 1.0, least: -9.0 };
         let begins = (-mean).acos();
         let mut motion = swinging.simulate(State::new([0.0], [40.0]));
         let before = begins - 1e-9;
@@ -321,8 +322,16 @@ fn a_limit_that_becomes_negative_on_the_way_is_an_error() {
 
 #[test]
 fn a_limit_that_touches_zero_holds_on() {
-    let mut motion = Swinging { mean: 1.0, swing: 1.0 }.simulate(State::new([0.0], [40.0]));
+    let mut motion = Swinging { mean: 1.0, swing: 1.0, least: -9.0 }.simulate(State::new([0.0], [40.0]));
     close(motion.advance_to(20.0).unwrap().v[0], 40.0 - 20.0 - 20.0_f64.sin(), 1e-12);
+}
+
+#[test]
+fn a_limit_that_is_held_at_zero_holds_on() {
+    let swinging = Swinging { mean: 0.0, swing: 1.0, least: 0.0 };
+    let mut motion = swinging.simulate(State::new([0.0], [40.0]));
+    // Each wave takes ∫ cos t = 2 from the speed, the first half of one 1.
+    close(motion.advance_to(20.0).unwrap().v[0], 40.0 - 7.0, 1e-11);
 }
 
 /// A puck on a floor that is smoother the further it slides.
