@@ -345,8 +345,8 @@ where
             if !above(strays.error, number(1.0)) || !is_fast {
                 return Ok(grown);
             }
-            // A shorter time does not mend the error of an acceleration that stays. That of a load which turns
-            // falls like t².
+            // A shorter time does not mend the error of an acceleration that stays. That of a load which
+            // turns falls like t².
             if above(strays.error, largest) {
                 return Err(Not::Strays);
             }

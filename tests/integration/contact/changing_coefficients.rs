@@ -330,8 +330,8 @@ fn a_limit_that_touches_zero_holds_on() {
 fn a_limit_that_is_held_at_zero_holds_on() {
     let swinging = Swinging { mean: 0.0, swing: 1.0, least: 0.0 };
     let mut motion = swinging.simulate(State::new([0.0], [40.0]));
-    // Each wave takes ∫ cos t = 2 from the speed, the first half of one 1.
-    close(motion.advance_to(20.0).unwrap().v[0], 40.0 - 7.0, 1e-11);
+    // Half a wave takes ∫ cos t = 1 from the speed, two whole ones 4, and the last one until then sin 20 + 1.
+    close(motion.advance_to(20.0).unwrap().v[0], 34.0 - 20.0_f64.sin(), 1e-11);
 }
 
 /// A puck on a floor that is smoother the further it slides.

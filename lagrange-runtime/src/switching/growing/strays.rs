@@ -70,8 +70,8 @@ where
         strays.error.is_finite().then_some(strays)
     }
     /// The sizes of the difference of two accelerations and of the velocities `v`, as those of the largest
-    /// slip that such a motion could make \[slip/s, slip]. Beside the slip the whole motion may turn while the
-    /// load grows: a ball that spins carries its load round.
+    /// slip that such a motion could make \[slip/s, slip]. Beside the slip the whole motion may turn while
+    /// the load grows: a ball that spins carries its load round.
     fn all_stray(
         &self,
         rows: [usize; 2],

@@ -64,8 +64,8 @@ where
         Some(Grown::along(regime, &self.state.v, ramp))
     }
 
-    /// A motion on which slips have begun, with the accelerations that the equations have in its middle and at
-    /// its end, but for those of the slips. Loads are known where nothing slips, on a motion with constant
+    /// A motion on which slips have begun, with the accelerations that the equations have in its middle and
+    /// at its end, but for those of the slips. Loads are known where nothing slips, on a motion with constant
     /// accelerations. Beside the slips, a motion may turn meanwhile: a ball that spins does.
     pub(super) fn corrected(&self, grown: &Grown<S::Scalar, N, C, W>) -> Option<Grown<S::Scalar, N, C, W>> {
         let mut end = self.state;
