@@ -38,9 +38,9 @@ use quote::quote;
 use crate::diagnostics::Diagnostics;
 use crate::jets::Jets;
 use crate::mechanics::Equations;
-use crate::model::Model;
+use crate::model::{Constraint, Model};
 use crate::orders::Expansions;
-use crate::regimes::Regimes;
+use crate::regimes::{LOAD, Regimes};
 use crate::schedule::Operations;
 use crate::structure::{Facts, Solution};
 use crate::syntax::{Item, Scalar};
@@ -357,7 +357,12 @@ pub(crate) fn emit(
 /// The constants `NAMES` and, if there are orientations, `ORIENTATIONS` as text.
 fn names_of_parts(model: &Model) -> String {
     let coordinates: Vec<String> = model.coordinates.iter().map(|quantity| quantity.written()).collect();
-    let constraints: Vec<String> = model.constraints.iter().map(|constraint| constraint.written()).collect();
+    // The load of a friction has no name of the user's; the friction has.
+    let name = |constraint: &Constraint| match constraint.name.strip_prefix(LOAD) {
+        Some(friction) => friction.to_owned(),
+        None => constraint.written(),
+    };
+    let constraints: Vec<String> = model.constraints.iter().map(name).collect();
     let mut text = format!(
         "const NAMES: lagrange::Names = lagrange::Names {{ coordinates: &{coordinates:?}, constraints: &{constraints:?} }};\n"
     );

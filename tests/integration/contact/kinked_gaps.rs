@@ -207,6 +207,6 @@ fn a_body_slides_over_a_sharp_edge() {
             let falls = 1.5 - 2.0 * way / (speed + left.sqrt());
             [left.sqrt() * falls, -0.5 * 9.81 * falls * falls]
         };
-        all_close(&end.q, &turned(expected[0], expected[1]), 1e-10);
+        all_close(end.q, turned(expected[0], expected[1]), 1e-10);
     }
 }
