@@ -128,6 +128,7 @@ where
         });
         found
     }
+
     /// The time after a kink from which on the gradients of the gaps that are closed are known \[s]: zero if
     /// they are known at the kink itself. The distance from the edge of a table, for example, has no gradient
     /// on the edge, but it grows where the motion goes: there the contact opens, and needs none.

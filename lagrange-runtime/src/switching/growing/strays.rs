@@ -56,19 +56,19 @@ where
             let error = error / (most(scales.relative, ulps) * speed);
             // Friction has the direction of the slip, which has the roundings of all velocities.
             let lost = rounding::<S::Scalar>() + ulps * speed / slip;
-            let [all, speed] = self.all_stray(rows, [&found, &grown.way.accelerations], &state.v);
+            let [lacks, whole] = self.all_stray(rows, [&found, &grown.way.accelerations], &state.v);
             // A body that was at rest has the velocity that forces could give it.
-            let speed = most(speed, grown.later * strength);
-            let all = number(0.25) * grown.later * most(all - lost * strength, zero);
-            let all = all / (most(scales.relative, ulps) * speed);
-            strays.error = most(strays.error, all.part(0));
-            strays.error = most(strays.error, error.part(0));
+            let whole = most(whole, grown.later * strength);
+            let all = number(0.25) * grown.later * most(lacks - lost * strength, zero);
+            let all = all / (most(scales.relative, ulps) * whole);
+            strays.error = most(strays.error, most(error.part(0), all.part(0)));
             let known = slip / most(number(LAUNCHED) * ulps * speed, self.hidden_slip(strength));
             let known = known.part(0);
             strays.known = if above(strays.known, known) { known } else { strays.known };
         }
         strays.error.is_finite().then_some(strays)
     }
+
     /// The sizes of the difference of two accelerations and of the velocities `v`, as those of the largest
     /// slip that such a motion could make \[slip/s, slip]. Beside the slip the whole motion may turn while
     /// the load grows: a ball that spins carries its load round.
