@@ -37,6 +37,11 @@ where
         let in_regime = self.system.in_regime(&grown.regime);
         let equations = S::equations_in(&in_regime, state.t, &state.q, &state.v, self.inputs)?;
         let found = equations.balance().accelerations;
+        let beside = if S::Scalar::PARTS > 1 {
+            grown.way.accelerations
+        } else {
+            self.beside_slips(grown, &state, grown.way.accelerations)?
+        };
         let known = Known::settled(self.is_closed);
         let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
         let mut strays = Strays { error: zero, known: number(f64::INFINITY) };
@@ -54,13 +59,11 @@ where
             let error = number(0.25) * grown.later * lacks;
             // Numbers alone: times that follow from them have no variation.
             let error = error / (most(scales.relative, ulps) * speed);
-            // Friction has the direction of the slip, which has the roundings of all velocities.
-            let lost = rounding::<S::Scalar>() + ulps * speed / slip;
-            let [lacks, whole] = self.all_stray(rows, [&found, &grown.way.accelerations], &state.v);
+            let [lacks, whole] = self.all_stray(rows, [&beside, &grown.way.accelerations], &state.v);
+            let lacks = most(lacks - rounding::<S::Scalar>() * strength, zero);
             // A body that was at rest has the velocity that forces could give it.
-            let whole = most(whole, grown.later * strength);
-            let all = number(0.25) * grown.later * most(lacks - lost * strength, zero);
-            let all = all / (most(scales.relative, ulps) * whole);
+            let whole = most(scales.relative, ulps) * most(whole, grown.later * strength);
+            let all = number(0.25) * grown.later * lacks / whole;
             strays.error = most(strays.error, most(error.part(0), all.part(0)));
             let known = slip / most(number(LAUNCHED) * ulps * speed, self.hidden_slip(strength));
             let known = known.part(0);
