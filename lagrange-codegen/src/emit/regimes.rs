@@ -182,7 +182,7 @@ fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
         String::new()
     };
     let timeless = if is_autonomous(switching) { "const AUTONOMOUS: bool = true;\n" } else { "" };
-    let varying = if has_varying_coefficients(switching) { "const VARYING: bool = true;\n" } else { "" };
+    let varying = if has_varying_friction(switching) { "const VARYING: bool = true;\n" } else { "" };
     let generic = match companion_scalar(emission) {
         Scalar::Generic(_) => format!("<{scalar}>"),
         Scalar::F64 | Scalar::F32 => String::new(),
@@ -197,27 +197,28 @@ fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
     )
 }
 
-/// The coefficients of restitution and friction.
-fn coefficients_of(switching: &Regimes) -> impl Iterator<Item = NodeId> {
-    switching.laws_of.iter().flatten().flat_map(|law| match law {
-        Law::Unilateral { restitution, .. } => [*restitution; 2],
-        Law::Friction { kinetic, fixed, .. } => [*kinetic, *fixed],
-    })
-}
-
-/// Whether any coefficient changes with the state or with time. Inputs are held.
-fn has_varying_coefficients(switching: &Regimes) -> bool {
+/// Whether any coefficient of friction changes with the state or with time. Inputs are held, and restitution
+/// counts in impacts alone.
+fn has_varying_friction(switching: &Regimes) -> bool {
     let changes = Dependence::COORDINATES.union(Dependence::VELOCITIES).union(Dependence::TIME);
-    coefficients_of(switching).any(|node| switching.rows.graph.dependence(node).meets(changes))
+    let varies = |node: &NodeId| switching.rows.graph.dependence(*node).meets(changes);
+    switching.laws_of.iter().flatten().any(|law| match law {
+        Law::Unilateral { .. } => false,
+        Law::Friction { kinetic, fixed, .. } => varies(kinetic) || varies(fixed),
+    })
 }
 
 /// Whether no equation and no law depends on time.
 fn is_autonomous(switching: &Regimes) -> bool {
     let conditions = &switching.laws.conditions;
+    let coefficients = switching.laws_of.iter().flatten().flat_map(|law| match law {
+        Law::Unilateral { restitution, .. } => [*restitution; 2],
+        Law::Friction { kinetic, fixed, .. } => [*kinetic, *fixed],
+    });
     let rows = conditions.positions.iter().chain(&conditions.rates).chain(&switching.kinks);
     let factors =
         switching.rows.loads.iter().flat_map(|load| &load.force).flatten().map(|&(_, factor)| factor);
-    let mut laws = rows.copied().chain(coefficients_of(switching)).chain(factors);
+    let mut laws = rows.copied().chain(coefficients).chain(factors);
     switching.facts.autonomous
         && !laws.any(|node| switching.rows.graph.dependence(node).meets(Dependence::TIME))
 }

@@ -178,7 +178,7 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
     /// Whether none of the equations and laws contains time: then rest lasts.
     const AUTONOMOUS: bool = false;
 
-    /// Whether any coefficient of restitution or friction changes with the state or with time.
+    /// Whether any coefficient of friction changes with the state or with time.
     const VARYING: bool = false;
 
     /// The number of functions of regimes that a series follows.

@@ -146,8 +146,11 @@ where
                 (*least, *largest) = (smaller(*least, bound), larger(*largest, bound));
             }
         }
-        // A bound that is zero everywhere is none: the coefficient at rest is that of the slip.
-        Ok(array(|which| least[which] <= largest[which] - least[which] && largest[which] > least[which]))
+        // Where the coefficient at rest is that of the slip, the second bound is zero everywhere.
+        Ok(array(|which| {
+            let (least, spread) = (least[which], largest[which] - least[which]);
+            least < num_traits::Zero::zero() || least <= spread && spread > num_traits::Zero::zero()
+        }))
     }
 
     /// The part of the step, up to `until`, after which a bound of a slip is below zero by more than its

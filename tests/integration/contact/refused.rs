@@ -2,6 +2,8 @@
 
 use lagrangian::prelude::*;
 
+use crate::support::close::close;
+
 struct Puck {
     restitution: f64,
     friction: f64,
@@ -114,4 +116,35 @@ fn a_motion_begins_where_another_had_an_impact() {
     let ball = Ball { restitution: 0.7 };
     assert!(matches!(ball.simulate(fall).advance_to(1.0).unwrap_err().cause, Cause::Penetrates { .. }));
     assert!(ball.simulate(fall.at_time(2.0)).advance_to(3.0).is_ok());
+}
+
+/// A block whose friction has a limit that jumps after a second.
+struct Jumping {
+    late: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Jumping {
+    #[point(mass = 1.0)]
+    fn block(&self, q: &Coordinates) -> f64 {
+        q.x
+    }
+
+    fn holds(&self, t: f64) -> f64 {
+        if t < 1.0 { 0.5 } else { self.late }
+    }
+
+    #[friction(limit = holds)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+}
+
+#[test]
+fn a_limit_that_jumps_below_zero_is_an_error() {
+    let moved = |late: f64| Jumping { late }.simulate(State::new([0.0], [4.0])).advance_to(2.0).copied();
+    close(moved(0.2).unwrap().v[0], 3.3, 1e-13);
+    let error = moved(-0.2).unwrap_err();
+    assert!(matches!(error.cause, Cause::InvalidContact { name, .. } if name.as_str() == "slip"), "{error}");
+    close(error.t, 1.0, 1e-13);
 }
