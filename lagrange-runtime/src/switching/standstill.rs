@@ -82,8 +82,9 @@ where
             let mut state =
                 State { t: t + left, q: array(|i| q[i] + gain_q[i]), v: array(|i| v[i] + gain_v[i]) };
             let present = memory.regime;
-            // Feet that come to rest together do so up to the tolerance.
-            let rested = self.resting(&state);
+            // Feet that come to rest together do so up to the tolerance. What has held is at rest.
+            let slow = self.resting(&state);
+            let rested = array(|row| present.active[row] || slow[row]);
             let known = Known { fired: Some(row), rested, ..Known::new(present.active) };
             let memory = &*self.memory;
             let before = (memory.way, memory.landed, memory.switched, memory.impulses);
