@@ -3,6 +3,7 @@
 use super::course::Course;
 use super::guards::{Guard, Guards};
 use super::place::Event;
+use super::rest::RESOLVED;
 use super::run::Run;
 use super::{Row, Switching};
 use crate::motion::roots::Fall;
@@ -117,14 +118,18 @@ where
             (Some(passed), Some(guard)) => {
                 let late = |t: S::Scalar| (t - start.t) - passed.part(0);
                 // At a time that is rounded to before the zero of its guard a contact still presses, and
-                // would close again at once. A friction still sticks: a slip would go the wrong way.
-                // Beyond the zero of a load its series has the other sign.
-                let is_held = matches!(guard, Guard::Row(row)
-                    if matches!(S::ROWS.get(row), Some(Row::Unilateral | Row::Friction { .. })));
-                let next = state.t + S::Scalar::epsilon() * state.t.abs() * span.signum();
+                // would close again at once. A friction still sticks: a slip would go the wrong way. A load
+                // has a direction only where rounding errors of time do not turn it.
+                let kind = if let Guard::Row(row) = guard { S::ROWS.get(row) } else { None };
+                let ulps = match kind {
+                    Some(Row::Load) => S::Scalar::from_f64(RESOLVED),
+                    Some(Row::Unilateral | Row::Friction { .. }) if late(state.t) * span < zero => one,
+                    _ => zero,
+                };
+                let next = state.t + ulps * S::Scalar::epsilon() * state.t.abs() * span.signum();
                 if !guards.is_of_reactions(guard) {
                     earlier = Some(at_time(before)?);
-                } else if is_held && late(state.t) * span < zero && !is_beyond(next) {
+                } else if next != state.t && !is_beyond(next) {
                     state = at_time(next)?;
                 }
                 late(state.t)

@@ -19,7 +19,7 @@ use crate::system::error::Cause;
 use crate::system::state::State;
 
 /// The shortest flight that counts, in rounding errors of gaps and of times.
-const RESOLVED: f64 = 64.0;
+pub(super) const RESOLVED: f64 = 64.0;
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
 where

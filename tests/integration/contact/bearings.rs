@@ -182,60 +182,6 @@ fn a_bead_stays_on_a_helix_as_steep_as_its_friction() {
     }
 }
 
-/// A balanced rotor that a force shakes along a line: the load of its bearing passes zero.
-struct Rotor {
-    strength: f64,
-}
-
-#[lagrangian(coordinates = [x, y, phi])]
-impl Rotor {
-    #[point(mass = 1.0)]
-    fn hub(&self, q: &Coordinates) -> Vector2<f64> {
-        Vector2::new(q.x, q.y)
-    }
-
-    #[kinetic]
-    fn turning(&self, v: &Velocities) -> f64 {
-        0.5 * v.phi.powi(2)
-    }
-
-    #[force(at = hub)]
-    fn shake(&self, t: f64) -> Vector2<f64> {
-        self.strength * t.cos() * Vector2::new(0.6, 0.8)
-    }
-
-    #[holonomic]
-    fn across(&self, q: &Coordinates) -> f64 {
-        self.hub(q).x
-    }
-
-    #[holonomic]
-    fn along(&self, q: &Coordinates) -> f64 {
-        self.hub(q).y
-    }
-
-    #[friction(coefficient = 0.5, normal = [across, along])]
-    fn slip(&self, v: &Velocities) -> f64 {
-        0.1 * v.phi
-    }
-}
-
-#[test]
-fn a_load_that_passes_zero_goes_on_as_a_size() {
-    let start = State::new([0.0; 3], [0.0, 0.0, 5.0]);
-    let mut motion = Rotor { strength: 3.0 }.simulate(start).with_tolerance(TIGHT);
-    for t in [1.0, 2.0, 4.0, 9.0] {
-        // ∫ |cos|: two for each half turn.
-        let turns = ((t + 0.5 * std::f64::consts::PI) / std::f64::consts::PI).floor();
-        let passed = 2.0 * turns + if (turns as u64).is_multiple_of(2) { t.sin() } else { -t.sin() };
-        let rate = motion.advance_to(t).unwrap().v[2];
-        close(rate, 5.0 - 0.05 * 3.0 * passed, 1e-11);
-    }
-    // Without a force there is no load.
-    let end = *Rotor { strength: 0.0 }.simulate(start).advance_to(9.0).unwrap();
-    assert_eq!(end.v[2], 5.0);
-}
-
 /// Friction so strong that the load would grow with itself has no reaction, or two.
 #[test]
 fn friction_that_loads_itself_jams() {

@@ -39,7 +39,9 @@ mod slips;
 mod steps;
 mod steps_of_floors;
 mod tables;
+mod three_points;
 mod woodpecker;
+mod zero_loads;
 
 /// Tolerance of the motions.
 const TIGHT: f64 = 1e-13;

@@ -10,7 +10,8 @@
 //! Along a motion N² = F · F holds for the series as well. Its order zero is the equation above. Each order
 //! k > 0 gives N\[k] = n · F\[k] plus terms of lower orders, with the direction n = F\[0] / N\[0]: a linear
 //! equation. Where a force begins to grow from zero, its first order that is not zero takes the place of
-//! order zero.
+//! order zero. A force of nothing but rounding errors has no direction, and counts as zero: a series with the
+//! direction of rounding errors would converge for no longer than they last.
 
 use super::vectors::{pick, put};
 use crate::linear::Lu;
@@ -20,7 +21,8 @@ use crate::number::real::Real;
 /// The most steps of Newton's method. It converges by squares, and from N = 0 without turning back.
 const ITERATIONS: usize = 64;
 
-/// Newton's method has converged where a load changes by no more than so many rounding errors of its force.
+/// The rounding errors of a force: Newton's method has converged where its load changes by no more than so
+/// many, and a force that is no larger has no direction.
 const ULPS: f64 = 16.0;
 
 /// A row that is no constraint: its multiplier follows from others.
@@ -82,6 +84,15 @@ impl<R: Real, const C: usize> Loads<R, C> {
         self.table.iter().filter(|load| matches!(load, Load::Sum { .. })).map(Load::row)
     }
 
+    /// The rows of constraints whose multipliers make the loads.
+    pub(super) fn terms(&self) -> impl Iterator<Item = usize> {
+        (0..C).filter(|&row| {
+            let is_part = sizes(self.table).any(|(_, parts)| parts.contains(&row));
+            let has_share = |sum: usize| self.shares.get(sum).is_some_and(|own| pick(own, row) != R::zero());
+            self.sums().all(|sum| sum != row) && (is_part || self.sums().any(has_share))
+        })
+    }
+
     /// Bounds the errors of loads by those of their terms.
     pub(super) fn bound(&self, bounds: &mut [R; C]) {
         for load in self.table {
@@ -125,15 +136,22 @@ impl<R: Real, const C: usize> Loads<R, C> {
         true
     }
 
-    /// All multipliers, from the multipliers without loads. NaN where Newton's method fails.
-    pub(super) fn solve(&self, free: &[R; C]) -> [R; C] {
-        self.settled(free, |_, _| None)
+    /// All multipliers, from the multipliers without loads. `bounds` tells the sizes of what each load is made
+    /// of. NaN where Newton's method fails.
+    pub(super) fn solve(&self, free: &[R; C], bounds: impl Fn() -> [R; C]) -> [R; C] {
+        self.settled(free, bounds, |_, _| None)
     }
 
     /// The same for an order of a series, times `rate`, as `free` is. `known` has the multipliers of the
     /// lower orders, a row each.
-    pub(super) fn solve_order(&self, free: &[R; C], rate: R, known: &[[R; C]]) -> [R; C] {
-        self.settled(free, |row, parts| {
+    pub(super) fn solve_order(
+        &self,
+        free: &[R; C],
+        bounds: impl Fn() -> [R; C],
+        rate: R,
+        known: &[[R; C]],
+    ) -> [R; C] {
+        self.settled(free, bounds, |row, parts| {
             let first = known.iter().position(|known| pick(known, row) != R::zero())?;
             let (start, later) = known.get(first..)?.split_first()?;
             let mut square = R::zero();
@@ -152,7 +170,12 @@ impl<R: Real, const C: usize> Loads<R, C> {
     }
 
     /// Newton's method for the sizes whose tangents are not `given`.
-    fn settled(&self, free: &[R; C], given: impl Fn(usize, &[usize]) -> Option<Tangent<R, C>>) -> [R; C] {
+    fn settled(
+        &self,
+        free: &[R; C],
+        bounds: impl Fn() -> [R; C],
+        given: impl Fn(usize, &[usize]) -> Option<Tangent<R, C>>,
+    ) -> [R; C] {
         let mut multipliers = *free;
         let mut has_converged = false;
         for _ in 0..ITERATIONS {
@@ -195,12 +218,31 @@ impl<R: Real, const C: usize> Loads<R, C> {
             });
             multipliers = next;
             // One more step after convergence, for the derivatives that numbers carry.
-            if is_linear || has_converged {
+            if is_linear {
+                return multipliers;
+            }
+            if has_converged {
+                self.round(&mut multipliers, &bounds(), |row, parts| given(row, parts).is_none());
                 return multipliers;
             }
             has_converged = agrees;
         }
         [R::from_f64(f64::NAN); C]
+    }
+
+    /// Sets loads to zero that are rounding errors of forces, if they `begin`.
+    fn round(&self, multipliers: &mut [R; C], bounds: &[R; C], begins: impl Fn(usize, &[usize]) -> bool) {
+        for (row, parts) in sizes(self.table) {
+            let size = pick(multipliers, row);
+            let least = R::from_f64(ULPS) * R::epsilon() * pick(bounds, row);
+            if (least - size).is_positive() && begins(row, parts) {
+                let response = self.response.get(row).into_iter().flatten();
+                for (multiplier, &response) in multipliers.iter_mut().zip(response) {
+                    *multiplier -= response * size;
+                }
+                put(multipliers, row, R::zero());
+            }
+        }
     }
 }
 
@@ -248,7 +290,7 @@ mod tests {
     #[test]
     fn a_load_is_the_size_of_the_force_that_it_changes() {
         let ([x, y], [a, b]) = ([0.6, -0.7], [-3.0, 0.5]);
-        let [p, q, load] = loads([x, y]).unwrap().solve(&[a, b, 0.0]);
+        let [p, q, load] = loads([x, y]).unwrap().solve(&[a, b, 0.0], || [0.0; 3]);
         // (1 − X²) N² − 2 a X N − a² = 0.
         let (square, along, rest) = (1.0 - x * x - y * y, a * x + b * y, a * a + b * b);
         let expected = (along + (along * along + square * rest).sqrt()) / square;
@@ -275,7 +317,21 @@ mod tests {
 
     #[test]
     fn without_a_force_there_is_no_load() {
-        assert_eq!(loads([0.3, 0.0]).unwrap().solve(&[0.0; 3]), [0.0; 3]);
+        assert_eq!(loads([0.3, 0.0]).unwrap().solve(&[0.0; 3], || [0.0; 3]), [0.0; 3]);
+    }
+
+    /// The force grows like (1, 0.5) from rounding errors in another direction.
+    #[test]
+    fn a_load_of_rounding_errors_has_the_direction_in_which_it_grows() {
+        let loads = loads([0.2, 0.3]).unwrap();
+        let noise = [-3e-15, 8e-15, 0.0];
+        for (bound, is_noise) in [(10.0, true), (0.1, false)] {
+            let start = loads.solve(&noise, || [bound; 3]);
+            assert_eq!(start[2] == 0.0, is_noise, "{start:?}");
+            let first = loads.solve_order(&[1.0, 0.5, 0.0], || [bound; 3], 1.0, &[start]);
+            let second = loads.solve_order(&[0.0; 3], || [bound; 3], 1.0, &[start, first]);
+            assert_eq!(second[2].abs() < 1.0, is_noise, "{second:?}");
+        }
     }
 
     /// N² = F · F for the series, also where the first order vanishes.
@@ -288,7 +344,8 @@ mod tests {
             for order in 0..6 {
                 let [x, y] = free[order];
                 let (before, _) = known.split_at(order);
-                known[order] = loads.solve_order(&[2.0 * x, 2.0 * y, 0.0], 2.0, before).map(|x| 0.5 * x);
+                known[order] =
+                    loads.solve_order(&[2.0 * x, 2.0 * y, 0.0], || [0.0; 3], 2.0, before).map(|x| 0.5 * x);
             }
             for order in 0..6 {
                 let product =

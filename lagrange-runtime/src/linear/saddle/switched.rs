@@ -146,7 +146,7 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
         }
         let known = known.as_chunks::<C>().0;
         let known = known.get(..order - 1).unwrap_or(known);
-        self.driven(v, loads.solve_order(&lu.solve(free), rate, known))
+        self.driven(v, loads.solve_order(&lu.solve(free), || self.load_sizes(loads, r, y), rate, known))
     }
 
     /// Adds the change of v by friction.
@@ -156,6 +156,20 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
             add_scaled(&mut v, driven, x);
         }
         (v, kappa)
+    }
+
+    /// Σ |terms| of the multipliers that make loads, and of the loads.
+    fn load_sizes(&self, loads: &Loads<R, C>, r: &[R; N], y: &[R; C]) -> [R; C] {
+        let mut sizes = [R::zero(); C];
+        for row in loads.terms() {
+            let unit = array(|own| if own == row { R::one() } else { R::zero() });
+            // A row of −Yᵀ and T.
+            let (by_force, by_rate) = self.saddle.solve(&[R::zero(); N], &unit);
+            let size = by_force.iter().zip(r).chain(by_rate.iter().zip(y));
+            put(&mut sizes, row, size.fold(R::zero(), |sum, (&one, &other)| sum + (one * other).abs()));
+        }
+        loads.bound(&mut sizes);
+        sizes
     }
 
     /// Adds to bounds of multipliers those of the rows that follow from them.
@@ -208,7 +222,9 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Switched<
                 (v, kappa)
             }
             Jam::Regular(lu) => self.driven(v, lu.solve(kappa)),
-            Jam::Loaded(lu, loads) => self.driven(v, loads.solve(&lu.solve(kappa))),
+            Jam::Loaded(lu, loads) => {
+                self.driven(v, loads.solve(&lu.solve(kappa), || self.load_sizes(loads, r, y)))
+            }
             Jam::Singular => ([R::from_f64(f64::NAN); N], [R::from_f64(f64::NAN); C]),
         }
     }
