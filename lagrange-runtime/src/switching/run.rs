@@ -110,7 +110,7 @@ where
                 (known.closed, known.settled) = (scene.is_closed, true);
                 last = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &last;
-                (choice, grown) = (scene.choose(&scene.touching(&from), known.fired)?, None);
+                (choice, grown) = (scene.choose(&scene.touching(&from), None)?, None);
             }
             let active = &choice.regime.active;
             let bears = |row: usize| S::ROWS[row] == Row::Unilateral && active[row] && !present.active[row];
