@@ -158,36 +158,82 @@ where
         tolerance: S::Scalar,
         struck: Option<(&Self, &[S::Scalar; C])>,
     ) -> Option<Struck<S::Scalar, N, C>> {
+        let tolerance = most(tolerance, S::Scalar::from_f64(16.0) * S::Scalar::epsilon());
+        let mut slow = self.slow(accelerations, scales, tolerance)?;
         let zero: S::Scalar = num_traits::Zero::zero();
-        let ulp = S::Scalar::epsilon();
-        let resolved = S::Scalar::from_f64(RESOLVED) * ulp;
-        let tolerance = most(tolerance, S::Scalar::from_f64(16.0) * ulp);
-        let rates = &self.laws.rows.rates;
-        let opens: [bool; C] = array(|row| self.is_closed[row] && self.status[row] == Status::Apart);
-        if !opens.contains(&true) {
-            return None;
+        let before = struck.map_or([zero; C], |(_, impulses)| *impulses);
+        let both = |(v, impulses): Struck<S::Scalar, N, C>| (v, array(|row| before[row] + impulses[row]));
+        if let Some(rest) = self.all_at_rest(scales, tolerance) {
+            return Some(both(rest));
         }
+        let landed = struck.and_then(|(before, _)| before.landing(&slow));
+        let mut found = match landed {
+            Some(landed) => landed,
+            None => both(self.closed_together(&slow, scales)?),
+        };
+        // A contact that closes may open another one as slowly, and that one the first one again, as a box
+        // does on a plank that rests on a stop. They close together.
+        for _ in 0..C {
+            let Some(more) = self.slow_after(&found.0, scales, tolerance) else { break };
+            let last = slow;
+            slow = array(|row| last[row] || more[row]);
+            if slow == last {
+                break;
+            }
+            let Some(together) = self.closed_together(&slow, scales) else { break };
+            found = both(together);
+        }
+        Some(found)
+    }
+
+    /// The closed contacts that open for a negligible time; `None` if there are none.
+    fn slow(
+        &self,
+        accelerations: &[S::Scalar; N],
+        scales: &Scales<S::Scalar, C>,
+        tolerance: S::Scalar,
+    ) -> Option<[bool; C]> {
+        let resolved = S::Scalar::from_f64(RESOLVED) * S::Scalar::epsilon();
+        let rates = &self.laws.rows.rates;
         let slow: [bool; C] = array(|row| {
+            if !self.is_closed[row] || self.status[row] != Status::Apart {
+                return false;
+            }
             let (rate, pull) = (rates[row], -self.rate(row, accelerations));
             let struck = scales.impacts[row];
             let speed = if struck.is_positive() { struck } else { scales.speeds[row] };
             let size = self.laws.rows.position_sizes[row];
-            opens[row]
-                && pull.is_positive()
+            pull.is_positive()
                 && (!above(rate, tolerance * speed)
                     || !above(rate * rate, (pull + pull) * resolved * size)
                     || !above(rate, pull * resolved * self.state.t.abs()))
         });
-        if !slow.contains(&true) {
-            return None;
-        }
-        let before = struck.map_or([zero; C], |(_, impulses)| *impulses);
-        if let Some((v, impulses)) = self.all_at_rest(scales, tolerance) {
-            return Some((v, array(|row| before[row] + impulses[row])));
-        }
-        if let Some(landed) = struck.and_then(|(before, _)| before.landing(&slow)) {
-            return Some(landed);
-        }
+        slow.contains(&true).then_some(slow)
+    }
+
+    /// The same after velocities have become these; `None` where no motion follows, too.
+    #[cold]
+    fn slow_after(
+        &self,
+        v: &[S::Scalar; N],
+        scales: &Scales<S::Scalar, C>,
+        tolerance: S::Scalar,
+    ) -> Option<[bool; C]> {
+        let (state, known) = (State { v: *v, ..self.state }, Known::settled(self.is_closed));
+        let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
+        let open = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
+        let choice = scene.choose(&scene.touching(&open), None).ok()?;
+        scene.slow(&choice.accelerations, scales, tolerance)
+    }
+
+    /// The velocities with these contacts closed, and the impulses that close them.
+    fn closed_together(
+        &self,
+        slow: &[bool; C],
+        scales: &Scales<S::Scalar, C>,
+    ) -> Option<Struck<S::Scalar, N, C>> {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let rates = &self.laws.rows.rates;
         let mut closed = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
         let mut wanted = [zero; C];
         for (row, kind) in S::ROWS.iter().enumerate() {
@@ -210,7 +256,7 @@ where
         let equations = S::equations_in(&self.system.in_regime(&closed), *t, q, v, self.inputs)?;
         let (change, _) = equations.saddle.solve(&[zero; N], &turned);
         let back = State { v: array(|i| v[i] + change[i]), ..self.state };
-        let known = Known::new(slow);
+        let known = Known::new(*slow);
         let landing = Scene::new(self.system, &back, self.inputs, self.kinks, scales, &known);
         let (mut v, mut impulses) = landing.plastic().ok()?;
         // In a corner, each contact opens another one: passages follow each other as bounces do. What they
@@ -222,7 +268,7 @@ where
             v = array(|i| self.state.v[i] + change[i]);
             impulses = pushing(&S::ROWS, &all);
         }
-        Some((v, array(|row| before[row] + impulses[row])))
+        Some((v, impulses))
     }
 
     /// The velocities with all closed contacts and their frictions at rest, and the impulses that bring them
