@@ -1,10 +1,11 @@
-//! N06: Housner's rocking block, which switches from corner to corner.
+//! N06: Housner's rocking block, which switches from corner to corner, and a box that rocks on a plank.
 
 use lagrangian::Contact;
 use lagrangian::prelude::*;
 
 use super::TIGHT;
 use crate::support::close::close_on;
+use crate::support::sample::Samples;
 
 struct Block;
 
@@ -68,4 +69,97 @@ fn a_block_rocks_from_corner_to_corner_and_stands() {
     assert_eq!(motion.contacts().corners, [Contact::Closed; 2]);
     close_on(1.0, state.q[2], 0.0, 1e-12);
     close_on(1.0, state.q[1], 0.5, 1e-12);
+}
+
+/// A plank on a pivot, which a torque holds against a stop, and a box that is set down on it tilted.
+struct Plank {
+    mass: f64,
+    load: f64,
+    half: f64,
+    friction: f64,
+    stop: f64,
+}
+
+/// The torque that holds the plank \[N m].
+const HOLD: f64 = 9.0;
+
+#[lagrangian(coordinates = [p, x, y, a])]
+impl Plank {
+    #[kinetic]
+    fn plank(&self, v: &Velocities) -> f64 {
+        self.mass / 6.0 * v.p.powi(2)
+    }
+
+    #[force(on = p)]
+    fn hold(&self) -> f64 {
+        9.0
+    }
+
+    #[body(mass = self.load, inertia = self.load * self.half.powi(2) * 2.0 / 3.0)]
+    fn block(&self, q: &Coordinates) -> Isometry2<f64> {
+        Isometry2::new(Vector2::new(q.x, q.y), q.a)
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        9.81 * self.load * q.y
+    }
+
+    fn feet(&self, q: &Coordinates) -> [Vector2<f64>; 2] {
+        let block = self.block(q);
+        [-1.0, 1.0].map(|side| (block * Point2::new(side * self.half, -self.half)).coords)
+    }
+
+    #[unilateral]
+    fn ground(&self, q: &Coordinates) -> [f64; 2] {
+        let normal = Vector2::new(-q.p.sin(), q.p.cos());
+        self.feet(q).map(|foot| foot.dot(&normal))
+    }
+
+    #[friction(coefficient = self.friction, normal = ground)]
+    fn slip(&self, q: &Coordinates, v: &Velocities) -> [f64; 2] {
+        let along = Vector2::new(q.p.cos(), q.p.sin());
+        let (feet, velocities) = (self.feet(q), self.feet_velocity(q, v));
+        [0, 1].map(|foot| {
+            let below = v.p * Vector2::new(-feet[foot].y, feet[foot].x);
+            (velocities[foot] - below).dot(&along)
+        })
+    }
+
+    #[unilateral]
+    fn end(&self, q: &Coordinates) -> f64 {
+        self.stop - q.p.sin()
+    }
+}
+
+/// The box pushes the plank off its stop, and the stop throws the box up, for shorter and shorter times.
+#[test]
+fn a_box_comes_to_rest_on_a_plank_that_rests_on_a_stop() {
+    let (mut samples, mut rest) = (Samples::new(5), 0);
+    for _ in 0..100 {
+        let plank = Plank {
+            mass: samples.number(0.5, 3.0),
+            load: samples.number(0.5, 2.0),
+            half: samples.number(0.03, 0.08),
+            friction: samples.number(0.3, 0.9),
+            stop: samples.number(0.1, 0.2),
+        };
+        let (p, arm): (f64, f64) = (plank.stop.asin(), samples.number(0.2, 0.6));
+        let height = plank.half + samples.number(0.0, 0.05);
+        let place = [arm * p.cos() - height * p.sin(), arm * p.sin() + height * p.cos()];
+        let tilt = p + samples.number(0.0, 0.01);
+        let start =
+            State::new([p, place[0], place[1] + 0.001, tilt], [0.0, 0.0, 0.0, samples.number(-1.0, 1.0)]);
+        let energy = |state: &State<f64, 4>| plank.energy(state) - HOLD * state.q[0];
+        let mut motion = plank.simulate(start);
+        let (mut last, mut switches) = (energy(&start), 0);
+        while let Some(switch) = motion.advance_to_switch(1.5).unwrap() {
+            let now = energy(&switch.state);
+            assert!(now < last + 1e-9, "{switches}: {now} after {last}");
+            (last, switches) = (now, switches + 1);
+            assert!(switches < 1000, "{start:?}");
+        }
+        rest += usize::from(motion.state().v == [0.0; 4]);
+    }
+    assert!(rest > 30, "{rest}");
 }
