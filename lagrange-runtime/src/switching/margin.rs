@@ -34,7 +34,7 @@ where
     S: Switching<N, K, C, W>,
 {
     /// Whether reactions are possible that give the same motion as the `known` ones. Limits of rows whose
-    /// reactions the motion determines are not asked for.
+    /// reactions the motion determines as a whole are not asked for.
     #[cold]
     pub(super) fn can_share(
         &self,
@@ -69,6 +69,15 @@ where
             }
             entry(&units, row)
         };
+        // Whether shares change the force of a friction, in any direction, or its limit.
+        let is_partly_free = |row: usize| {
+            let Some(&Row::Friction { normal, pair }) = S::ROWS.get(row) else { return false };
+            [Some(row), pair, normal].into_iter().flatten().any(|own| {
+                let unit = array(|row| if row == own { one } else { zero });
+                let free: [S::Scalar; C] = free(&Cut { normal: unit, bound: zero });
+                above(product(&free, &free).sqrt(), S::Scalar::epsilon().sqrt())
+            })
+        };
         let mut size = product(&base, &base).sqrt();
         let mut cuts: [Option<Cut<S::Scalar, C>>; C] = [None; C];
         let mut centre = base;
@@ -83,6 +92,12 @@ where
                 let Some(cut) = cut_at(row, &point) else { continue };
                 let unit = unit_of(row, &cut);
                 if !unit.is_positive() {
+                    // No shares change the distance from this plane. A friction may have others in other
+                    // directions, so its own guard is not watched.
+                    let slack = product(&cut.normal, &point) - cut.bound;
+                    if above(zero, slack) && is_partly_free(row) {
+                        return false;
+                    }
                     continue;
                 }
                 size = most(size, cut.bound.abs() / unit);

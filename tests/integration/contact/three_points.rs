@@ -96,24 +96,34 @@ fn three_feet_come_to_rest_at_one_place_at_any_tolerance() {
 /// A rover on two driven wheels and a caster that slides.
 struct Rover {
     torque: [f64; 2],
+    /// The rate at which both torques grow \[N m/s].
+    rise: f64,
+    friction: f64,
+    /// The friction of the caster.
+    drag: f64,
 }
 
+const MASS: f64 = 5.117;
+const WHEEL: f64 = 0.485;
+const SPIN: f64 = 0.02;
+const AXLE: f64 = 0.1;
+const CASTER: f64 = 0.2622;
 const RADIUS: f64 = 0.0874;
 const HUB: f64 = 0.1353;
 
 #[lagrangian(coordinates = [hull: Pose, turn: [2]])]
 impl Rover {
-    #[body(mass = 5.117, inertia = [0.2, 0.3, 0.4])]
+    #[body(mass = MASS, inertia = [0.2, 0.3, 0.4])]
     fn hull(&self, q: &Coordinates) -> Isometry3<f64> {
         q.hull
     }
 
     fn hub(&self, q: &Coordinates, wheel: usize) -> Vector3<f64> {
         let side = if wheel == 0 { 0.1743 } else { -0.1743 };
-        (q.hull * Point3::new(0.1, side, RADIUS - HUB)).coords
+        (q.hull * Point3::new(AXLE, side, RADIUS - HUB)).coords
     }
 
-    #[body(mass = 0.485, inertia = [0.01, 0.02, 0.01])]
+    #[body(mass = WHEEL, inertia = [0.5 * SPIN, SPIN, 0.5 * SPIN])]
     fn wheels(&self, q: &Coordinates) -> [(Vector3<f64>, UnitQuaternion<f64>); 2] {
         [0, 1].map(|wheel| {
             let turn = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), q.turn[wheel]);
@@ -124,13 +134,13 @@ impl Rover {
     #[potential]
     fn weight(&self, q: &Coordinates) -> f64 {
         let wheels = self.hub(q, 0).z + self.hub(q, 1).z;
-        9.81 * (5.117 * q.hull.translation.vector.z + 0.485 * wheels)
+        9.81 * (MASS * q.hull.translation.vector.z + WHEEL * wheels)
     }
 
     #[force(on = turn)]
-    fn drive(&self) -> [f64; 2] {
+    fn drive(&self, t: f64) -> [f64; 2] {
         let torque: [f64; 2] = self.torque;
-        torque
+        torque.map(|torque| torque + self.rise * t)
     }
 
     #[unilateral]
@@ -144,18 +154,18 @@ impl Rover {
         Vector2::new(slip.x, slip.y)
     }
 
-    #[friction(coefficient = 0.481, normal = tyre[0])]
+    #[friction(coefficient = self.friction, normal = tyre[0])]
     fn left(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
         self.slip(q, v, 0)
     }
 
-    #[friction(coefficient = 0.481, normal = tyre[1])]
+    #[friction(coefficient = self.friction, normal = tyre[1])]
     fn right(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
         self.slip(q, v, 1)
     }
 
     fn caster(&self, q: &Coordinates) -> Vector3<f64> {
-        (q.hull * Point3::new(-0.2622, 0.0, -HUB)).coords
+        (q.hull * Point3::new(-CASTER, 0.0, -HUB)).coords
     }
 
     #[unilateral]
@@ -163,7 +173,7 @@ impl Rover {
         self.caster(q).z
     }
 
-    #[friction(coefficient = 0.262, normal = ball)]
+    #[friction(coefficient = self.drag, normal = ball)]
     fn slide(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
         let slip = self.hull_velocity(q, v).at(self.caster(q));
         Vector2::new(slip.x, slip.y)
@@ -173,7 +183,7 @@ impl Rover {
 /// When one wheel rolls, the other one cannot slip along the axle any more, and begins to roll soon after.
 #[test]
 fn both_wheels_of_an_axle_begin_to_roll() {
-    let rover = Rover { torque: [-0.0114, -0.0235] };
+    let rover = Rover { torque: [-0.0114, -0.0235], rise: 0.0, friction: 0.481, drag: 0.262 };
     for spin in [3.0, 3.02, 3.04, 3.06, 3.1, 3.14] {
         let rotation = UnitQuaternion::from_euler_angles(0.0, 0.0, 2.13);
         let hull = Isometry3::from_parts(Translation3::new(0.0, 0.0, HUB), rotation);
@@ -192,6 +202,45 @@ fn both_wheels_of_an_axle_begin_to_roll() {
         });
         for (end, error) in ends.iter().zip([1e-5, 1e-7, 1e-9]) {
             assert!((end - ends[3]).norm() < error, "{spin}: {ends:?}");
+        }
+    }
+}
+
+/// Both wheels drive straight on until their torques are more than the road can hold. They share what is
+/// across, which is nothing, or nearly so where the rover turns a little: shares cannot help them, since all
+/// of the limit is needed along the road.
+///
+/// With the traction f of each wheel and the normal force n, m a = 2 f, f r = τ − J a/r and the balance of
+/// moments about the road below the axle, n = n₀ − n₁ a. All grow like the torque, so that f = μ n at one time.
+#[test]
+fn wheels_that_drive_straight_on_begin_to_slip_where_the_road_gives_no_more() {
+    for (rise, friction) in [(1.2, 0.27), (0.4, 0.5), (1.7, 0.8)] {
+        let rover = Rover { torque: [0.0; 2], rise, friction, drag: 0.0 };
+        let (mass, base) = (MASS + 2.0 * WHEEL, AXLE + CASTER);
+        let rate = 2.0 * rise / (RADIUS * (mass + 2.0 * SPIN / (RADIUS * RADIUS)));
+        let moment = MASS * HUB + 2.0 * WHEEL * RADIUS + 2.0 * SPIN / RADIUS;
+        let [rest, shift] = [mass * 9.81 - MASS * 9.81 * AXLE / base, moment * rate / base].map(|n| 0.5 * n);
+        let expected = friction * rest / (0.5 * mass * rate + friction * shift);
+        for (spin, error) in [(0.0, 1e-12), (1e-12, 1e-11), (1e-9, 1e-8), (1e-6, 1e-5)] {
+            for tolerance in [1e-9, 1e-12] {
+                let hull = Isometry3::translation(0.0, 0.0, HUB);
+                let velocity =
+                    PoseVelocity { linear: Vector3::zeros(), angular: Vector3::new(0.0, 0.0, spin) };
+                let start = rover.state(
+                    RoverCoordinates { hull, turn: [0.0; 2] },
+                    RoverVelocities { hull: velocity, turn: [0.0; 2] },
+                );
+                let mut motion = rover.simulate(start).with_tolerance(tolerance);
+                // Wheels that turn begin to roll at once.
+                motion.advance_to(0.9 * expected).unwrap();
+                let slips = motion.advance_to_switch(2.0 * expected).unwrap().unwrap().state;
+                assert!(
+                    (slips.t - expected).abs() < error,
+                    "{rise} {friction} {spin}: {} {expected}",
+                    slips.t
+                );
+                assert!(slips.q[3..6].iter().all(|angle| angle.abs() < 1e-5));
+            }
         }
     }
 }
