@@ -77,13 +77,15 @@ impl<R: Real, const N: usize, const C: usize> Response<R, N, C> {
     /// The forces of frictions against these slips, and what follows.
     fn tried(&self, slips: [R; C], least: R) -> Option<Trial<R, C>> {
         let (zero, one) = (R::zero(), R::one());
-        let length = |row: usize| {
-            let other = self.other(row).map_or(zero, |other| entry(&slips, other));
-            entry(&slips, row).hypot(other).hypot(least)
-        };
-        let is_own = |row: usize| self.other(row).is_some();
-        let directions: [R; C] =
-            array(|row| if is_own(row) { entry(&slips, row) / length(row) } else { zero });
+        // One for rows that are not sought.
+        let lengths: [R; C] = array(|row| match self.other(row) {
+            Some(other) => entry(&slips, row).hypot(entry(&slips, other)).hypot(least),
+            None => one,
+        });
+        let directions: [R; C] = array(|row| match self.other(row) {
+            Some(_) => entry(&slips, row) / entry(&lengths, row),
+            None => zero,
+        });
         // The forces f = −d l(f): a linear equation.
         let mut transposed = [[zero; C]; C];
         for (column, own) in transposed.iter_mut().enumerate() {
@@ -104,6 +106,9 @@ impl<R: Real, const N: usize, const C: usize> Response<R, N, C> {
         let (mut lacks, mut matrix) = ([zero; C], [[zero; C]; C]);
         for (row, (own, effect)) in matrix.iter_mut().zip(&self.by_forces).enumerate() {
             put(own, row, one);
+            if self.other(row).is_none() {
+                continue;
+            }
             put(&mut lacks, row, entry(&self.rates, row) + product(effect, &forces) - entry(&slips, row));
             // The effect of forces that would be l s/|s|, if limits did not change.
             let effect = by_forces.solve(*effect);
@@ -112,7 +117,7 @@ impl<R: Real, const N: usize, const C: usize> Response<R, N, C> {
                 let direction = entry(&directions, column);
                 for k in [column, other] {
                     let unit = if k == column { one } else { zero };
-                    let turned = (unit - entry(&directions, k) * direction) / length(column);
+                    let turned = (unit - entry(&directions, k) * direction) / entry(&lengths, column);
                     *number += entry(&effect, k) * entry(&limits, k) * turned;
                 }
             }
