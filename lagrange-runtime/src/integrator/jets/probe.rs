@@ -32,6 +32,42 @@ pub(crate) fn restrained<R: Real>(length: R, last: R, left: R) -> R {
     length.min(if last.is_positive() { R::from_f64(GROWTH) * last } else { R::from_f64(FIRST) * left })
 }
 
+/// Whether the equations agree at [`PLACES`] places of the first `theta` units, the last of which is the end,
+/// and between them where a velocity passes zero: there laws of friction have their narrowest features.
+/// `start` are the velocities at the start, `v` gives those at a place. All places are examined, so that no
+/// strong force is missed; `agrees` is told whether one is the end.
+pub(super) fn agree_along<R: Real, const N: usize>(
+    theta: R,
+    start: &[R; N],
+    v: impl Fn(R) -> [R; N],
+    mut agrees: impl FnMut(R, bool) -> bool,
+) -> bool {
+    let apart = theta * R::from_f64(1.0 / PLACES as f64);
+    let (mut place, mut before, mut agree) = (R::zero(), *start, true);
+    for index in 1..=PLACES {
+        let last = place;
+        place += apart;
+        agree &= agrees(place, index == PLACES);
+        let here = v(place);
+        for (i, (&from, &to)) in before.iter().zip(&here).enumerate() {
+            let passes = |from: R, to: R| (from / (from - to)).part(0);
+            let is_between = |part: R| part.is_positive() && (R::one() - part).is_positive();
+            let part = passes(from, to);
+            if !is_between(part) {
+                continue;
+            }
+            // One more secant, since the place may be narrow.
+            let middle = v(last + part * apart).get(i).copied().unwrap_or(from);
+            let nearer = part * passes(from, middle);
+            let beyond = part + (R::one() - part) * passes(middle, to);
+            let part = [nearer, beyond, part].into_iter().find(|&part| is_between(part)).unwrap_or(part);
+            agree &= agrees(last + part * apart, false);
+        }
+        before = here;
+    }
+    agree
+}
+
 /// A series, and the equations that it is compared with.
 pub(crate) struct Probe<'a, S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> {
     pub system: &'a S,
@@ -67,11 +103,7 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
         let [relative, absolute] = self.tolerances;
         let relative = S::Scalar::from_f64(MARGIN) * relative.max(noise);
         let tiny = S::Scalar::epsilon().powi(4);
-        // All points are evaluated, so that no strong force is missed.
-        let apart = theta * S::Scalar::from_f64(1.0 / PLACES as f64);
-        let mut theta: S::Scalar = num_traits::Zero::zero();
-        (0..PLACES).fold(true, |agrees, _| {
-            theta += apart;
+        let mut agrees_at = |theta: S::Scalar| {
             let (gain_q, gain_v) = self.series.gain(theta, self.orders);
             let q = array(|i| self.start.q[i] + gain_q[i]);
             let v = array(|i| self.start.v[i] + gain_v[i]);
@@ -83,7 +115,7 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
             {
                 *strongest = strongest.max(found.part(0).abs());
             }
-            (0..S::Scalar::PARTS).fold(agrees && is_finite, |agrees, part| {
+            (0..S::Scalar::PARTS).fold(is_finite, |agrees, part| {
                 let pair = |i: usize| [found[i].part(part), expected[i].part(part)];
                 let size = |i: usize| {
                     let speed = self.start.v[i].part(part).abs().max(v[i].part(part).abs());
@@ -105,6 +137,11 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
                     agrees && excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
                 })
             })
-        })
+        };
+        let v = |theta| {
+            let (_, gain) = self.series.gain(theta, self.orders);
+            array(|i| self.start.v[i] + gain[i])
+        };
+        agree_along(theta, &self.start.v, v, |theta, _| agrees_at(theta))
     }
 }

@@ -4,7 +4,7 @@ use super::super::landing::{Check, Determined, Landing};
 use super::super::lengths::{Lengths, Verdict};
 use super::super::step_size;
 use super::expansion::{expand, too_small};
-use super::probe::{self, PLACES, Probe};
+use super::probe::{self, Probe, agree_along};
 use super::{Jets, JetsMemory, singular};
 use crate::number::elements::Each;
 use crate::number::real::{Ordered, Real, larger, smaller};
@@ -132,12 +132,11 @@ where
         let check = Check { system, constants, inputs: &control.0, limits, from: &memory.start };
         let slopes = |theta| memory.series.slopes(theta, memory.orders).each(|slope| slope / memory.unit);
         let on_the_way = |landing: &Landing<S::Scalar, N>| {
-            !S::STEEP
-                || (1..PLACES).all(|place| {
-                    let theta =
-                        S::Scalar::from_f64(place as f64) * S::Scalar::from_f64(1.0 / PLACES as f64) * theta;
-                    check.agrees(&memory.state_at(theta), &slopes(theta), landing)
-                })
+            let v = |theta| memory.state_at(theta).v;
+            // The end is checked beside this.
+            let agrees =
+                |theta, is_end| is_end || check.agrees(&memory.state_at(theta), &slopes(theta), landing);
+            !S::STEEP || agree_along(theta, &memory.start.v, v, agrees)
         };
         let last_terms = |landing: &Landing<S::Scalar, N>| {
             theta <= measured
