@@ -119,6 +119,7 @@ where
     S: Smooth<N, K>,
 {
     type Memory = JetsMemory<S::JetConstants, S::Tables<HIGHEST>, S::Scalar, N>;
+    const IS_BLIND: bool = S::STEEP;
 
     #[inline]
     fn begin(system: &S, start: State<S::Scalar, N>) -> Self::Memory

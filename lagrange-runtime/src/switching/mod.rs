@@ -11,6 +11,7 @@
 mod alone;
 mod along;
 mod begin;
+mod blind;
 mod certain;
 mod choice;
 mod contacts;

@@ -228,7 +228,8 @@ where
             let memory = &mut *self.memory;
             let (start, end) = (*M::start(&memory.inner), *M::end(&memory.inner));
             (memory.start, memory.end) = (start, end);
-            let found = self.event(attempts).and_then(|found| self.valid_until(found)).map_err(|cause| {
+            let found = self.event(attempts).and_then(|found| self.agreed_until(found));
+            let found = found.and_then(|found| self.valid_until(found)).map_err(|cause| {
                 // A later call begins here again, not at the end of the step.
                 M::restart(&mut self.memory.inner, start);
                 self.memory.end = start;

@@ -18,7 +18,7 @@ use crate::system::state::State;
 const HALVINGS: i32 = 24;
 
 /// The event that ends a piece, if any.
-type Found<S, const N: usize, const K: usize, const C: usize, const W: usize> =
+pub(super) type Found<S, const N: usize, const K: usize, const C: usize, const W: usize> =
     Option<Event<<S as System<N, K>>::Scalar, N, W>>;
 
 /// Refuses a restitution outside 0 … 1, a friction below zero, and one that holds less at rest than it gives

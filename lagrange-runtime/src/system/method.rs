@@ -95,6 +95,9 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
     /// Whether steps are as long as the caller says, however fast the motion changes.
     const IS_PACED: bool = false;
 
+    /// Whether its steps may be blind to functions of the system that are narrow.
+    const IS_BLIND: bool = false;
+
     /// The memory of a motion that begins at a state.
     fn begin(system: &S, start: State<S::Scalar, N>) -> Self::Memory
     where

@@ -38,6 +38,7 @@ mod slider_crank;
 mod slips;
 mod steps;
 mod steps_of_floors;
+mod stribeck;
 mod tables;
 mod three_points;
 mod woodpecker;
