@@ -42,8 +42,9 @@ pub(super) use project::slopes;
 /// are made anew.
 const NEAR: usize = 16;
 
-/// Corrections of a rough start.
-const ROUGH: usize = 60;
+/// Corrections of a rough start. Where they are cut short, each leaves three quarters of the distance, and a
+/// hundred of them lead to rounding errors.
+const ROUGH: usize = 200;
 
 /// How many shares of a correction of a rough start are tried, each half of the one before.
 const HALVINGS: usize = 12;
@@ -171,7 +172,7 @@ where
             let (slopes, metric) = (self.slopes, self.metric);
             let before = self.residuals.distance(level, &slopes);
             let share = if FAR && level == Level::Positions {
-                Self::reach(&metric, &change, before)
+                self.reach(&metric, &change, before)
             } else {
                 num_traits::One::one()
             };
@@ -198,7 +199,8 @@ where
                 self.refresh(system);
             }
         }
-        if self.is_rounding(level, begun) && self.agrees(level, begun) {
+        // A rough start whose corrections still help is not on the constraints, however near it is.
+        if (self.is_stuck || !FAR) && self.is_rounding(level, begun) && self.agrees(level, begun) {
             return Ok(());
         }
         Err(self.failure(system, level).named(&S::NAMES))
@@ -340,15 +342,18 @@ where
         None
     }
 
-    /// The part of a correction that is not too long for its distance from the constraints.
+    /// The part of a correction that is not too long for its distance from the constraints. One that changes
+    /// the state by less than ∜ε leads nowhere else.
     fn reach(
+        &self,
         metric: &Metric<S::Scalar, N>,
         change: &[S::Scalar; N],
         distance: <S::Scalar as Real>::Lane,
     ) -> S::Scalar {
         let far = S::Scalar::from_f64(REACH) * S::Scalar::splat(distance);
+        let near = S::Scalar::splat(determined()) * self.extent(Level::Positions);
         let one: S::Scalar = num_traits::One::one();
-        one.min(far / metric.extent(change))
+        one.min(far.max(near) / metric.extent(change))
     }
 
     /// Whether the residual is the rounding error of inner operations or of the state.

@@ -5,6 +5,7 @@ use lagrangian::Name;
 use lagrangian::prelude::*;
 
 use crate::support::close::{all_close, between, close, close_on};
+use crate::support::sample::Samples;
 
 const G: f64 = 9.81;
 
@@ -291,5 +292,79 @@ fn numbers_that_are_none_are_refused() {
         assert_eq!(ELLIPSE.consistent(start).unwrap_err().cause, Cause::NotFinite);
         let flat = Ellipse { axes: [bad, 1.0], ..ELLIPSE };
         assert!(flat.simulate(State::at_rest([0.5, 0.5])).advance_to(1.0).is_err());
+    }
+}
+
+/// A four-bar linkage by the angles of its bars.
+struct FourBar {
+    bars: [f64; 3],
+    base: f64,
+}
+
+#[lagrangian(coordinates = [angle: [3]])]
+impl FourBar {
+    #[point(mass = 1.0)]
+    fn joints(&self, q: &Coordinates) -> [Vector2<f64>; 3] {
+        let bars: [f64; 3] = self.bars;
+        let mut end = Vector2::zeros();
+        [0, 1, 2].map(|bar| {
+            end += bars[bar] * Vector2::new(q.angle[bar].cos(), q.angle[bar].sin());
+            end
+        })
+    }
+
+    #[holonomic]
+    fn closed(&self, q: &Coordinates) -> Vector2<f64> {
+        self.joints(q)[2] - Vector2::new(self.base, 0.0)
+    }
+}
+
+/// A heavy load on a light hook.
+struct Crane {
+    load: f64,
+}
+
+#[lagrangian(coordinates = [x: [2], y: [2]])]
+impl Crane {
+    #[point(mass = 1.0)]
+    fn hook(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x[0], q.y[0])
+    }
+
+    #[point(mass = self.load)]
+    fn load(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x[1], q.y[1])
+    }
+
+    #[holonomic]
+    fn ropes(&self, q: &Coordinates) -> [f64; 2] {
+        [self.hook(q).norm() - 1.0, (self.load(q) - self.hook(q)).norm() - 1.0]
+    }
+}
+
+/// Corrections of a rough start are cut short where constraints nearly depend on each other. They go on until
+/// they are done.
+#[test]
+fn rough_starts_end_on_their_constraints() {
+    let mut samples = Samples::new(21);
+    let mut found = 0;
+    for _ in 0..1000 {
+        let bars = [0; 3].map(|_| samples.number(0.3, 1.5));
+        let linkage = FourBar { bars, base: samples.number(0.3, 1.5) };
+        let start = State::at_rest([0; 3].map(|_| samples.number(0.0, 6.3)));
+        let Ok(state) = linkage.consistent(start) else { continue };
+        let off = linkage.constraint_residuals(&state).iter().fold(0.0, |off: f64, r| off.max(r.abs()));
+        assert!(off < 1e-12, "{bars:?} {start:?}: {off:e}");
+        found += 1;
+    }
+    assert!(found > 800, "{found}");
+    for load in [1.0, 100.0, 1000.0] {
+        let crane = Crane { load };
+        for _ in 0..50 {
+            let [dx, dy] = [0; 2].map(|_| samples.number(-0.1, 0.1));
+            let state = crane.consistent(State::at_rest([0.1, 0.2 + dx, -0.995, -1.99 + dy])).unwrap();
+            let off = crane.constraint_residuals(&state).iter().fold(0.0, |off: f64, r| off.max(r.abs()));
+            assert!(off < 1e-12, "{load} {dx} {dy}: {off:e}");
+        }
     }
 }
