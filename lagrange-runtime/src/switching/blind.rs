@@ -6,11 +6,11 @@
 
 use num_traits::Zero;
 
-use super::Switching;
 use super::guards::Guard;
 use super::place::Event;
 use super::run::Run;
 use super::valid::Found;
+use super::{Row, Switching};
 use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger};
 use crate::system::System;
@@ -44,7 +44,11 @@ where
             return Ok(found);
         }
         let (start, step) = (self.memory.start, self.memory.end);
-        let Some(Event { state, guard: Some(Guard::Row(_)), .. }) = &found else { return Ok(found) };
+        let Some(Event { state, guard: Some(Guard::Row(row)), .. }) = &found else { return Ok(found) };
+        // A slip in two directions has no accelerations where it ends.
+        if !matches!(S::ROWS.get(*row), Some(Row::Friction { pair: None, .. })) {
+            return Ok(found);
+        }
         let part = (state.t - start.t) / (step.t - start.t);
         if !part.is_positive() || self.agrees(state, part) != Some(false) {
             return Ok(found);

@@ -186,7 +186,7 @@ where
             if t < here.t && S::ROWS.iter().any(|row| *row != Row::Bilateral) {
                 return Err(at(&here, Cause::Irreversible));
             }
-            if rests && S::AUTONOMOUS && self.stays() {
+            if S::AUTONOMOUS && (rests && self.stays() || C > 0 && self.is_balanced(&here)) {
                 (self.memory.start, self.memory.end) = (here, here.at_time(t));
                 M::restart(&mut self.memory.inner, self.memory.end);
                 return Ok(());

@@ -15,6 +15,9 @@ use crate::system::error::Cause;
 use crate::system::method::Adaptive;
 use crate::system::state::State;
 
+/// The rounding errors of forces that an acceleration may be, where these balance each other.
+const BALANCED: f64 = 8.0;
+
 impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
 where
     S: Switching<N, K, C, W>,
@@ -35,6 +38,23 @@ where
         let (inner, control, limits) = (&mut memory.inner, self.control, self.limits);
         M::sample(inner, in_regime, constants, control, limits, middle, &mut 0)
             .is_ok_and(|state| is_at_rest(&start, &state))
+    }
+
+    /// Whether forces balance each other at a state at rest: accelerations are rounding errors of theirs. A
+    /// velocity that grows from them has no digits, and no size to which an error could be relative.
+    pub(super) fn is_balanced(&self, state: &State<S::Scalar, N>) -> bool {
+        let memory = &*self.memory;
+        if S::Scalar::PARTS > 1 || memory.is_way || state.v.iter().any(|&v| v != num_traits::Zero::zero()) {
+            return false;
+        }
+        let known = Known::settled(memory.regime.active);
+        let inputs = &self.control.0;
+        let scene = Scene::new(self.system, state, inputs, memory.regime.kinks, &memory.scales, &known);
+        let ulps = S::Scalar::from_f64(BALANCED) * S::Scalar::epsilon();
+        scene.balance(&memory.regime, &state.v).is_some_and(|(balance, sizes)| {
+            let mut both = balance.accelerations.iter().zip(&sizes.accelerations);
+            both.all(|(a, &size)| !above(a.abs(), ulps * size))
+        })
     }
 
     /// Whether a slip in two directions has become less than the tolerance of its former size.

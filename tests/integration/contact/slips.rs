@@ -3,7 +3,8 @@
 use lagrangian::prelude::*;
 
 use super::TIGHT;
-use crate::support::close::{all_close, close_on};
+use crate::support::close::{all_close, close, close_on};
+use crate::support::sample::Samples;
 
 /// A block on a turntable.
 struct Turntable {
@@ -103,7 +104,7 @@ fn rest_is_rest_and_costs_nothing() {
     let slope = Slope { angle: 0.3, friction: 0.4 };
     let mut motion = slope.simulate(State::at_rest([0.0; 3])).with_tolerance(TIGHT);
     assert_eq!(motion.advance_to(1e6).unwrap().q, [0.0; 3]);
-    assert_eq!(motion.steps().accepted, 1);
+    assert_eq!(motion.steps().accepted, 0);
     let mut motion = slope.simulate(State::new([0.0; 3], [0.5, 0.2, 0.0])).with_tolerance(TIGHT);
     let state = *motion.advance_to(2.0).unwrap();
     let cost = motion.steps().accepted;
@@ -169,5 +170,66 @@ fn a_leash_goes_through_its_centre() {
         let state = *Leash.simulate(start).with_tolerance(TIGHT).advance_to(2.0).unwrap();
         all_close(state.q, [-x, -y], 1e-14);
         all_close(state.v, [0.0; 2], 1e-14);
+    }
+}
+
+/// An object between two fingers. Nothing holds the three along the line of the fingers but forces that
+/// cancel, up to their rounding errors.
+struct Held {
+    mass: f64,
+    friction: f64,
+    grip: f64,
+}
+
+#[lagrangian(coordinates = [left, right, x, y])]
+impl Held {
+    #[point(mass = 0.1)]
+    fn one(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.left, 0.0)
+    }
+
+    #[point(mass = 0.1)]
+    fn other(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.right, 0.0)
+    }
+
+    #[point(mass = self.mass)]
+    fn object(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[potential]
+    fn forces(&self, q: &Coordinates) -> f64 {
+        9.81 * self.mass * q.y - self.grip * q.left + self.grip * q.right
+    }
+
+    #[unilateral]
+    fn pads(&self, q: &Coordinates) -> [f64; 2] {
+        [self.object(q).x - 0.1 - self.one(q).x, self.other(q).x - self.object(q).x - 0.1]
+    }
+
+    #[friction(coefficient = self.friction, normal = pads)]
+    fn slip(&self, v: &Velocities) -> [f64; 2] {
+        [v.y, v.y]
+    }
+}
+
+#[test]
+fn an_object_between_two_fingers_stays_where_it_is_held() {
+    let mut samples = Samples::new(12);
+    for speed in [0.0, 1e-3, -0.2] {
+        for _ in 0..100 {
+            let (mass, friction) = (samples.number(0.2, 2.0), samples.number(0.1, 1.0));
+            let more = samples.number(1.1, 3.0);
+            let held = Held { mass, friction, grip: more * mass * 9.81 / (2.0 * friction) };
+            let (x, y) = (samples.number(-0.3, 0.3), samples.number(-0.4, 0.4));
+            let start = State::new([x - 0.1, x + 0.1, x, y], [0.0, 0.0, 0.0, speed]);
+            let end = *held.simulate(start).with_max_steps(100).advance_to(1.0).unwrap();
+            // Friction and weight brake it upwards, and their difference downwards.
+            let brake = 9.81 * if speed < 0.0 { more - 1.0 } else { more + 1.0 };
+            let way = 0.5 * speed * speed.abs() / brake;
+            close(end.q[3] - y, way, 1e-12);
+            assert_eq!(end.v[3], 0.0);
+        }
     }
 }
