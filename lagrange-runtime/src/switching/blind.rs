@@ -68,8 +68,8 @@ where
         Ok(found)
     }
 
-    /// Whether the accelerations at a state after a part of the step are those of its polynomial; `None` where
-    /// it is none, or the equations have no value.
+    /// Whether the accelerations at a state after a part of the step are those of its polynomial; `None`
+    /// where it is none, or the equations have no value.
     fn agrees(&self, State { t, q, v }: &State<S::Scalar, N>, part: S::Scalar) -> Option<bool> {
         let number = S::Scalar::from_f64;
         let memory = &*self.memory;

@@ -136,8 +136,8 @@ impl<R: Real, const C: usize> Loads<R, C> {
         true
     }
 
-    /// All multipliers, from the multipliers without loads. `bounds` tells the sizes of what each load is made
-    /// of. NaN where Newton's method fails.
+    /// All multipliers, from those without loads. `bounds` tells the sizes of what loads are made of.
+    /// NaN where Newton's method fails.
     pub(super) fn solve(&self, free: &[R; C], bounds: impl Fn() -> [R; C]) -> [R; C] {
         self.settled(free, bounds, |_, _| None)
     }
