@@ -3,7 +3,7 @@
 use super::kinks::{followed, sides};
 use super::known::Known;
 use super::run::Run;
-use super::scene::{Scene, above, entry, extent, most};
+use super::scene::{Scene, above, entry, extent, most, rounding};
 use super::sided::turn_ahead;
 use super::valid::valid;
 use super::{Coefficients, Laws, Regime, Row, Switching};
@@ -175,8 +175,11 @@ where
             let most_of = state.q.iter().fold(num_traits::Zero::zero(), |size, &q| most(size, q.abs()));
             let own = laws.rows.position_sizes[row] == -gap;
             let size = if own { most(self.memory.scales.gaps[row], most_of + gap) } else { size };
+            // Where all that makes the gap is as small, it is zero beside the other coordinates.
+            let one: S::Scalar = num_traits::One::one();
+            let beside = rounding::<S::Scalar>() * most_of * extent(&scene.gradients[row], &[one; N]);
             // The time of a state of another motion is rounded.
-            if above(-gap, share * size + scene.by_time(row)) {
+            if above(-gap, most(share * size, beside) + scene.by_time(row)) {
                 return Err(Cause::Penetrates {
                     constraint: row,
                     name: S::NAMES.constraint(row),

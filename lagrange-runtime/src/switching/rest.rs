@@ -202,7 +202,8 @@ where
             let (rate, pull) = (rates[row], -self.rate(row, accelerations));
             let struck = scales.impacts[row];
             let speed = if struck.is_positive() { struck } else { scales.speeds[row] };
-            let size = self.laws.rows.position_sizes[row];
+            // A sine near π is zero, but has the rounding errors of π.
+            let size = most(self.laws.rows.position_sizes[row], self.extent_of(row, &self.state.q));
             pull.is_positive()
                 && (!above(rate, tolerance * speed)
                     || !above(rate * rate, (pull + pull) * resolved * size)
