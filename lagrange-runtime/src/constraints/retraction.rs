@@ -172,7 +172,7 @@ where
             let (slopes, metric) = (self.slopes, self.metric);
             let before = self.residuals.distance(level, &slopes);
             let share = if FAR && level == Level::Positions {
-                self.reach(&metric, &change, before)
+                self.reach(&change, before)
             } else {
                 num_traits::One::one()
             };
@@ -344,16 +344,11 @@ where
 
     /// The part of a correction that is not too long for its distance from the constraints. One that changes
     /// the state by less than ∜ε leads nowhere else.
-    fn reach(
-        &self,
-        metric: &Metric<S::Scalar, N>,
-        change: &[S::Scalar; N],
-        distance: <S::Scalar as Real>::Lane,
-    ) -> S::Scalar {
+    fn reach(&self, change: &[S::Scalar; N], distance: <S::Scalar as Real>::Lane) -> S::Scalar {
         let far = S::Scalar::from_f64(REACH) * S::Scalar::splat(distance);
         let near = S::Scalar::splat(determined()) * self.extent(Level::Positions);
         let one: S::Scalar = num_traits::One::one();
-        one.min(far.max(near) / metric.extent(change))
+        one.min(far.max(near) / self.metric.extent(change))
     }
 
     /// Whether the residual is the rounding error of inner operations or of the state.

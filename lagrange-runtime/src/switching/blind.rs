@@ -11,6 +11,7 @@ use super::place::Event;
 use super::run::Run;
 use super::valid::Found;
 use super::{Row, Switching};
+use crate::integrator::jets::probe::{MARGIN, NOISE};
 use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger};
 use crate::system::System;
@@ -18,12 +19,6 @@ use crate::system::control::Held;
 use crate::system::error::Cause;
 use crate::system::method::Adaptive;
 use crate::system::state::State;
-
-/// Allowed difference of the accelerations, in tolerances: that of a whole step.
-const MARGIN: f64 = 16.0;
-
-/// Uncertainty of accelerations, in ulps.
-const NOISE: f64 = 256.0;
 
 /// The most halvings of the way to an event at which a series does not agree.
 const HALVINGS: usize = 24;
@@ -68,8 +63,8 @@ where
         Ok(found)
     }
 
-    /// Whether the accelerations at a state after a part of the step are those of its polynomial; `None`
-    /// where it is none, or the equations have no value.
+    /// Whether the equations give the accelerations of the polynomial at a state after a part of the step.
+    /// `None` for a step without a polynomial, and for equations without a value.
     fn agrees(&self, State { t, q, v }: &State<S::Scalar, N>, part: S::Scalar) -> Option<bool> {
         let number = S::Scalar::from_f64;
         let memory = &*self.memory;

@@ -186,7 +186,7 @@ where
         Some(found)
     }
 
-    /// The closed contacts that open for a negligible time; `None` if there are none.
+    /// Which closed contacts open for a negligible time; `None` if no contact does.
     fn slow(
         &self,
         accelerations: &[S::Scalar; N],
@@ -212,7 +212,7 @@ where
         slow.contains(&true).then_some(slow)
     }
 
-    /// The same after velocities have become these; `None` where no motion follows, too.
+    /// The same for other velocities; `None` also where no motion follows from them.
     #[cold]
     fn slow_after(
         &self,

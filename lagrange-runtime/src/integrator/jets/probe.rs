@@ -21,10 +21,10 @@ const FIRST: f64 = 1.0 / 16.0;
 
 /// Allowed difference of the accelerations, in tolerances. At the end of a step the truncated series differs
 /// from the motion by a few of them.
-const MARGIN: f64 = 16.0;
+pub(crate) const MARGIN: f64 = 16.0;
 
 /// Uncertainty of accelerations, in ulps of the largest one.
-const NOISE: f64 = 256.0;
+pub(crate) const NOISE: f64 = 256.0;
 
 /// Limits the growth of a step of this `length`, so that it does not jump over what is far away. `last` is
 /// the length of the step before it, or zero, and `left` the time to go.
