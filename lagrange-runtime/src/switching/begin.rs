@@ -179,7 +179,8 @@ where
             let one: S::Scalar = num_traits::One::one();
             let beside = rounding::<S::Scalar>() * most_of * extent(&scene.gradients[row], &[one; N]);
             // The time of a state of another motion is rounded.
-            if above(-gap, share * size + scene.by_time(row)) && above(size, beside) {
+            if above(-gap, share * size + scene.by_time(row)) && above(laws.rows.position_sizes[row], beside)
+            {
                 return Err(Cause::Penetrates {
                     constraint: row,
                     name: S::NAMES.constraint(row),

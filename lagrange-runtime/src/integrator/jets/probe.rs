@@ -35,20 +35,20 @@ pub(crate) fn restrained<R: Real>(length: R, last: R, left: R) -> R {
 /// Whether the equations agree at [`PLACES`] places of the first `theta` units, the last of which is the end,
 /// and between them where a velocity passes zero: there laws of friction have their narrowest features.
 /// `start` are the velocities at the start, `v` gives those at a place. All places are examined, so that no
-/// strong force is missed; `agrees` is told whether one is the end.
+/// strong force is missed; `look` is told whether one is the end, and also returns the velocities there.
 pub(super) fn agree_along<R: Real, const N: usize>(
     theta: R,
     start: &[R; N],
     v: impl Fn(R) -> [R; N],
-    mut agrees: impl FnMut(R, bool) -> bool,
+    mut look: impl FnMut(R, bool) -> (bool, [R; N]),
 ) -> bool {
     let apart = theta * R::from_f64(1.0 / PLACES as f64);
     let (mut place, mut before, mut agree) = (R::zero(), *start, true);
     for index in 1..=PLACES {
         let last = place;
         place += apart;
-        agree &= agrees(place, index == PLACES);
-        let here = v(place);
+        let (agrees, here) = look(place, index == PLACES);
+        agree &= agrees;
         for (i, (&from, &to)) in before.iter().zip(&here).enumerate() {
             let passes = |from: R, to: R| (from / (from - to)).part(0);
             let is_between = |part: R| part.is_positive() && (R::one() - part).is_positive();
@@ -61,7 +61,7 @@ pub(super) fn agree_along<R: Real, const N: usize>(
             let nearer = part * passes(from, middle);
             let beyond = part + (R::one() - part) * passes(middle, to);
             let part = [nearer, beyond, part].into_iter().find(|&part| is_between(part)).unwrap_or(part);
-            agree &= agrees(last + part * apart, false);
+            agree &= look(last + part * apart, false).0;
         }
         before = here;
     }
@@ -115,7 +115,7 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
             {
                 *strongest = strongest.max(found.part(0).abs());
             }
-            (0..S::Scalar::PARTS).fold(is_finite, |agrees, part| {
+            let agrees = (0..S::Scalar::PARTS).fold(is_finite, |agrees, part| {
                 let pair = |i: usize| [found[i].part(part), expected[i].part(part)];
                 let size = |i: usize| {
                     let speed = self.start.v[i].part(part).abs().max(v[i].part(part).abs());
@@ -136,7 +136,8 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
                     let excess = ((found - expected) * span).abs() - bound;
                     agrees && excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
                 })
-            })
+            });
+            (agrees, v)
         };
         let v = |theta| {
             let (_, gain) = self.series.gain(theta, self.orders);

@@ -134,9 +134,11 @@ where
         let on_the_way = |landing: &Landing<S::Scalar, N>| {
             let v = |theta| memory.state_at(theta).v;
             // The end is checked beside this.
-            let agrees =
-                |theta, is_end| is_end || check.agrees(&memory.state_at(theta), &slopes(theta), landing);
-            !S::STEEP || agree_along(theta, &memory.start.v, v, agrees)
+            let look = |theta, is_end| {
+                let state = memory.state_at(theta);
+                (is_end || check.agrees(&state, &slopes(theta), landing), state.v)
+            };
+            !S::STEEP || agree_along(theta, &memory.start.v, v, look)
         };
         let last_terms = |landing: &Landing<S::Scalar, N>| {
             theta <= measured
