@@ -1,7 +1,7 @@
 //! The way through a kink, and corners of the functions that contain it.
 
 use super::run::{CHANGES, Run};
-use super::scene::{above, entry, most};
+use super::scene::{above, entry, most, put, rounding};
 use super::sided::along;
 use super::way::shift;
 use super::{Regime, Row, Switching, Wanted};
@@ -23,43 +23,60 @@ where
     S::Scalar: Ordered,
     M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
 {
-    /// Goes to the other side of a kink. That is an error where the motion is held at the kink, or where
-    /// something jumps that must not.
+    /// Takes a regime to the other side of a kink. That is an error where the motion is held at the kink, or
+    /// where something jumps that must not.
     pub(super) fn cross(
         &mut self,
         kink: usize,
-        sides: &mut [S::Scalar; W],
+        present: &mut Regime<S::Scalar, C, W>,
         state: &State<S::Scalar, N>,
     ) -> Result<(), Cause> {
         let name = S::KINKS.get(kink).copied().unwrap_or(Name::NONE);
         let flips = self.memory.flips.get_mut(kink);
-        let (Some(side), Some(flips)) = (sides.get_mut(kink), flips) else { return Ok(()) };
+        let (Some(side), Some(flips)) = (present.kinks.get_mut(kink), flips) else { return Ok(()) };
         *side = -*side;
         let side = *side;
         *flips += 1;
         if *flips > CHANGES {
             return Err(Cause::HeldAtKink { kink, name });
         }
-        self.passable(kink, side, state)
+        self.passable(kink, state)?;
+        let lost = self.leap(kink, side, state)?;
+        for (row, own) in S::ROWS.iter().enumerate() {
+            let is_lost = |row: usize| lost.get(row) == Some(&true);
+            let of_lost = matches!(own, Row::Friction { normal: Some(normal), .. } if is_lost(*normal));
+            if is_lost(row) || of_lost {
+                put(&mut present.active, row, false);
+            }
+        }
+        Ok(())
     }
 
-    /// Refuses a kink at which an energy, a momentum, a constraint or the gap of a contact jumps.
-    fn passable(&mut self, kink: usize, side: S::Scalar, state: &State<S::Scalar, N>) -> Result<(), Cause> {
+    /// Refuses a kink at which an energy or a momentum jumps.
+    fn passable(&mut self, kink: usize, state: &State<S::Scalar, N>) -> Result<(), Cause> {
         let name = S::KINKS.get(kink).copied().unwrap_or(Name::NONE);
+        let energy_at = |State { t, q, v }: &State<S::Scalar, N>| {
+            self.system.jumps_at(*t, q, v, &self.control.0).each(|numbers| entry(&numbers, kink))
+        };
+        let ([gain, size], start) = (energy_at(state), &self.memory.start);
         // An energy that jumps would act by a force at one point, which no equation contains.
-        let [jumps, sizes] = self.system.jumps_at(state.t, &state.q, &state.v, &self.control.0);
-        if above(entry(&jumps, kink).abs(), S::Scalar::epsilon().sqrt() * entry(&sizes, kink)) {
+        if above(gain.abs(), S::Scalar::epsilon().sqrt() * size)
+            && above(gain.abs(), roundings(state, start, &|at| energy_at(at)[0]))
+        {
             return Err(Cause::EnergyJumps { kink, name });
         }
         if self.has_corner(kink, state) {
             return Err(Cause::MomentumJumps { kink, name });
         }
-        self.leap(kink, side, state)
+        Ok(())
     }
 
-    /// Refuses a kink at which a constraint jumps, or the gap of a contact that is closed, or that is below
-    /// zero behind the kink: no velocity leads there.
-    fn leap(&self, kink: usize, side: S::Scalar, state: &State<S::Scalar, N>) -> Result<(), Cause> {
+    /// The closed contacts that lose what they lay on: their gaps jump up, as at the edge of a table.
+    ///
+    /// # Errors
+    /// [`Cause::GapJumps`] where a constraint jumps, or a gap is below zero behind the kink: no velocity leads
+    /// there.
+    fn leap(&self, kink: usize, side: S::Scalar, state: &State<S::Scalar, N>) -> Result<[bool; C], Cause> {
         let State { t, q, v } = state;
         let inputs = &self.control.0;
         // The gaps as they were before the kink.
@@ -69,17 +86,31 @@ where
         // What is zero before the kink may be the difference of large numbers behind it.
         let behind = self.sizes_behind(kink, state);
         let sizes: [S::Scalar; C] = array(|row| most(before[row], behind[row]));
-        let mut found = Ok(());
+        let (mut found, mut lost) = (Ok(()), [false; C]);
+        let gain_at = |row: usize, State { t, q, v }: &State<S::Scalar, N>| {
+            let mut found = num_traits::Zero::zero();
+            self.system.breaks_at(*t, q, v, inputs, |own, other, gain| {
+                if own == kink && other == row {
+                    found = gain;
+                }
+            });
+            found
+        };
         self.system.breaks_at(*t, q, v, inputs, |own, row, gain| {
             let seen = most(entry(&sizes, row), entry(&self.memory.scales.gaps, row));
             let size = S::Scalar::epsilon().sqrt() * seen;
+            let is_known = || above(gain.abs(), roundings(state, &self.memory.start, &|at| gain_at(row, at)));
+            if own != kink || !above(gain.abs(), size) || !is_known() {
+                return;
+            }
             let is_closed = self.memory.regime.active.get(row) == Some(&true);
-            let leaps = is_closed || above(-size, entry(&gaps, row) + side * gain);
-            if own == kink && above(gain.abs(), size) && leaps {
+            let is_held = is_closed && S::ROWS.get(row) != Some(&Row::Unilateral);
+            if is_held || above(-size, entry(&gaps, row) + side * gain) {
                 found = Err(Cause::GapJumps { constraint: row, name: S::NAMES.constraint(row) });
             }
+            put(&mut lost, row, is_closed);
         });
-        found
+        found.map(|()| lost)
     }
 
     /// Σ |summands| of gaps behind a kink.
@@ -100,8 +131,9 @@ where
     }
 
     /// Whether a momentum or the rate of a constraint jumps at a kink, so that velocities do not go through
-    /// it as they are. At the kink itself a function may be nothing but rounding errors, so the gain has to
-    /// count beside its size in the middle of the piece as well.
+    /// it as they are. At the kink itself a function may be nothing but rounding errors, and so may its gain,
+    /// as at the smooth join of two rails. So the gain has to count beside the function and the gain in the
+    /// middle of the piece as well, and has to be more than the rounding errors of the state make of it.
     fn has_corner(&mut self, kink: usize, state: &State<S::Scalar, N>) -> bool {
         let part = S::Scalar::epsilon().sqrt();
         let mut middle = None;
@@ -111,20 +143,30 @@ where
         let memory = &mut *self.memory;
         let (inner, in_regime, constants) = (&mut memory.inner, &memory.in_regime, &memory.constants);
         let (control, limits, start) = (self.control, self.limits, memory.start);
+        // The gain and the size of a function that the system visits.
+        let visited = |place: usize, State { t, q, v }: &State<S::Scalar, N>| {
+            let (mut other, mut found) = (0, [num_traits::Zero::zero(); 2]);
+            system.corners_at(*t, q, v, &control.0, |_, gain, size| {
+                other += 1;
+                if other == place {
+                    found = [gain, size];
+                }
+            });
+            found
+        };
         system.corners_at(state.t, &state.q, &state.v, &control.0, |own, gain, size| {
             place += 1;
-            if own != kink || !above(gain.abs(), part * size) {
+            if found || own != kink || !above(gain.abs(), part * size) {
                 return;
             }
             let half = S::Scalar::from_f64(0.5) * (start.t + state.t);
-            let state = *middle.get_or_insert_with(|| {
+            let middle = *middle.get_or_insert_with(|| {
                 M::sample(inner, in_regime, constants, control, limits, half, &mut 0).unwrap_or(start)
             });
-            let mut other = 0;
-            system.corners_at(state.t, &state.q, &state.v, &control.0, |_, _, size| {
-                other += 1;
-                found = found || other == place && above(gain.abs(), part * size);
-            });
+            let counts = |size: S::Scalar| !size.is_finite() || above(gain.abs(), part * size);
+            let gain_at = |state: &State<S::Scalar, N>| visited(place, state)[0];
+            found = visited(place, &middle).into_iter().all(|size| counts(size.abs()))
+                && !above(roundings(state, &middle, &gain_at), gain.abs());
         });
         found
     }
@@ -189,4 +231,23 @@ where
             Some(row) => Err(Cause::VanishingGradient { constraint: row, name: S::NAMES.constraint(row) }),
         }
     }
+}
+
+/// What the rounding errors of a state make of a function. Those of a coordinate belong to its largest value,
+/// here or elsewhere.
+fn roundings<R: Real, const N: usize>(
+    here: &State<R, N>,
+    elsewhere: &State<R, N>,
+    function: &impl Fn(&State<R, N>) -> R,
+) -> R {
+    let value = function(here);
+    let error = |a: R, b: R| rounding::<R>() * most(a.abs(), b.abs());
+    let change = |state: &State<R, N>| (function(state) - value).abs();
+    let by_time = change(&here.at_time(here.t + error(here.t, elsewhere.t)));
+    (0..N).fold(by_time, |sum, i| {
+        let [mut at_q, mut at_v] = [*here; 2];
+        at_q.q[i] += error(here.q[i], elsewhere.q[i]);
+        at_v.v[i] += error(here.v[i], elsewhere.v[i]);
+        sum + change(&at_q) + change(&at_v)
+    })
 }

@@ -295,7 +295,7 @@ where
         match guard {
             Guard::Kink(_) => {
                 for (kink, _) in event.crossed.iter().enumerate().filter(|(_, is_crossed)| **is_crossed) {
-                    self.cross(kink, &mut present.kinks, &state)?;
+                    self.cross(kink, &mut present, &state)?;
                 }
                 let before = &self.memory.regime.kinks;
                 present.kinks = followed(self.system, &state, &self.control.0, before, &present.kinks);

@@ -18,6 +18,7 @@ mod grooves;
 mod growing;
 mod indeterminate;
 mod inputs;
+mod joins;
 mod kinked_gaps;
 mod kinks;
 mod laws;
