@@ -74,8 +74,8 @@ where
     /// The closed contacts that lose what they lay on: their gaps jump up, as at the edge of a table.
     ///
     /// # Errors
-    /// [`Cause::GapJumps`] where a constraint jumps, or a gap is below zero behind the kink: no velocity leads
-    /// there.
+    /// [`Cause::GapJumps`] where a constraint jumps, or a gap is below zero behind the kink: no velocity
+    /// leads there.
     fn leap(&self, kink: usize, side: S::Scalar, state: &State<S::Scalar, N>) -> Result<[bool; C], Cause> {
         let State { t, q, v } = state;
         let inputs = &self.control.0;
