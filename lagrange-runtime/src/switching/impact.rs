@@ -265,14 +265,14 @@ where
             let change = self.along(row, &strike.changes);
             let after = before + change;
             let speed = entry(&self.speeds, row);
-            let play = part * (most(speed, before.abs()) + change.abs());
+            // What single impulses do to its rate is the measure where all rates are roundings.
+            let single = self.effect(row, &sizes);
+            let play = part * (most(speed, before.abs()) + change.abs() + single);
             let slack = part * scale(row);
             let impulse = entry(&strike.impulses, row);
             // Rows that depend on each other may demand contradictory things.
             let wanted = self.wanted(row, &demand.restitution);
             let asked = strike.active.get(row) == Some(&true);
-            // What single impulses do to its rate is the measure where all rates are roundings.
-            let single = self.effect(row, &sizes);
             let inexact = S::Scalar::epsilon().sqrt() * (wanted.abs() + change.abs() + speed + single);
             if asked && above((change - wanted).abs(), inexact) {
                 return Err(row);
