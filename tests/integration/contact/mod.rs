@@ -21,6 +21,7 @@ mod inputs;
 mod joins;
 mod kinked_gaps;
 mod kinks;
+mod knocks;
 mod laws;
 mod leashes;
 mod legs;
