@@ -23,9 +23,10 @@
 //! no correction. So where rows are dependent, the state must also satisfy the bound for starts, and a larger
 //! residual is a contradiction.
 
+mod blurred;
 mod project;
 
-use super::residuals::{Level, ULPS};
+use super::residuals::Level;
 use super::solution::regular_at;
 use super::start::SHARE;
 use super::{Factors, Residuals, Surface, moved};
@@ -143,7 +144,7 @@ where
     /// The same; with `FAR` from anywhere. Two functions, so that a program without rough starts does not
     /// hold what they need.
     fn corrections<const FAR: bool>(&mut self, system: &S, level: Level) -> Result<(), Cause> {
-        let begun = self.extent(level);
+        let begun = self.sizes(level);
         self.is_stuck = false;
         let mut has_moved = false;
         // One row depends on no other.
@@ -181,13 +182,15 @@ where
                 break;
             };
             let after = there.distance(level, &slopes);
-            let step = (metric.extent(&change) * share).largest();
+            let steps = [metric.extent(&change), largest(&change)].each(|step| (step * share).largest());
             let helped = after < before;
             if helped {
                 (self.state, self.residuals, self.is_fresh) = (next, there, false);
                 has_moved = true;
-                let ulp = S::Scalar::epsilon().largest() * self.extent(level).max(begun).largest();
-                if step * (after / before) <= ulp && self.agrees(level, begun) {
+                let ulp = S::Scalar::epsilon().largest();
+                let ulps = self.sizes_since(level, begun).each(|size| ulp * size.largest());
+                let is_below = |(step, ulp)| step * (after / before) <= ulp;
+                if steps.into_iter().zip(ulps).all(is_below) && self.agrees(level, begun) {
                     return Ok(());
                 }
             }
@@ -261,7 +264,7 @@ where
     }
 
     /// Whether dependent rows leave no more than a start may violate.
-    fn agrees(&self, level: Level, begun: S::Scalar) -> bool {
+    fn agrees(&self, level: Level, begun: [S::Scalar; 2]) -> bool {
         let part = S::Scalar::from_f64(SHARE) * S::Scalar::epsilon().sqrt();
         self.saddle.is_independent() || self.is_within(level, begun, part)
     }
@@ -284,38 +287,6 @@ where
         if saddle.rank() < self.saddle.rank() && saddle.defect().is_none() {
             self.take((saddle, gradients), false);
         }
-    }
-
-    /// Whether the correction that is left for the velocities is within the effect of rounding errors of the
-    /// constraint functions. Then the velocities that a step has brought are the better ones. This effect is
-    /// large beside a configuration in which constraints depend on each other. A correction of more than half
-    /// of the digits is never left out, since it leads to another velocity.
-    #[cold]
-    #[inline(never)]
-    fn is_blurred(&self, system: &S) -> bool {
-        let lack = self.residuals.rates.each(|value| -value);
-        let (change, _) = self.saddle.solve(&[num_traits::Zero::zero(); N], &lack);
-        let roundings = S::Scalar::from_f64(ULPS) * self.metric.extent(&self.turned(system));
-        let half = S::Scalar::epsilon().sqrt() * self.extent(Level::Velocities);
-        let excess = self.metric.extent(&change) - roundings.min(half);
-        excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
-    }
-
-    /// The change of the velocities where the coordinates move by what a rounding of each constraint function
-    /// makes of them. The signs of the rounding errors are those to which the multipliers respond, as in an
-    /// estimate of a condition number (Higham, "Accuracy and Stability of Numerical Algorithms", ch. 15).
-    #[cold]
-    #[inline(never)]
-    pub(super) fn turned(&self, system: &S) -> [S::Scalar; N] {
-        let (saddle, here) = (&self.saddle, &self.residuals);
-        let none = [num_traits::Zero::zero(); N];
-        let (_, response) = saddle.solve(&none, &here.position_sizes);
-        let ulp = S::Scalar::epsilon();
-        let roundings = array(|c| ulp * here.position_sizes[c] * response[c].signum());
-        let (change, _) = saddle.solve(&none, &roundings);
-        let there = moved(&self.state, &change, &none, num_traits::One::one());
-        let rates = system.residuals_at(there.t, &there.q, &there.v).rates;
-        saddle.solve(&none, &array(|c| rates[c] - here.rates[c])).0
     }
 
     /// A corrected state, its residuals and the share of the correction that was taken. For a rough start the
@@ -352,16 +323,18 @@ where
     }
 
     /// Whether the residual is the rounding error of inner operations or of the state.
-    fn is_rounding(&self, level: Level, begun: S::Scalar) -> bool {
+    fn is_rounding(&self, level: Level, begun: [S::Scalar; 2]) -> bool {
         self.is_within(level, begun, S::Scalar::epsilon().sqrt())
     }
 
-    /// Whether the residual is below a share of the summands and of the state.
+    /// Whether the residual is below a share of the summands and of the state. The state counts by the less of
+    /// its two sizes: in the kinetic metric alone, heavy bodies far away would hide that a light one is off.
     #[cold]
     #[inline(never)]
-    fn is_within(&self, level: Level, begun: S::Scalar, part: S::Scalar) -> bool {
-        let size = begun.max(self.extent(level));
-        let by_state = self.slopes.each(|slope| slope * size);
+    fn is_within(&self, level: Level, begun: [S::Scalar; 2], part: S::Scalar) -> bool {
+        let [size, number] = self.sizes_since(level, begun);
+        let by_number = self.gradients.slopes(&[num_traits::One::one(); N]);
+        let by_state = array(|c| (self.slopes[c] * size).min(by_number[c] * number));
         self.residuals.is_within_apart(level, part, &by_state)
     }
 
@@ -380,7 +353,19 @@ where
 
     /// The largest coordinate, or velocity, in the kinetic metric.
     pub(super) fn extent(&self, level: Level) -> S::Scalar {
-        self.metric.extent(if level == Level::Positions { &self.state.q } else { &self.state.v })
+        self.sizes(level)[0]
+    }
+
+    /// The largest coordinate, or velocity, in the kinetic metric and as a number.
+    fn sizes(&self, level: Level) -> [S::Scalar; 2] {
+        let numbers = if level == Level::Positions { &self.state.q } else { &self.state.v };
+        [self.metric.extent(numbers), largest(numbers)]
+    }
+
+    /// The same, now or earlier.
+    fn sizes_since(&self, level: Level, earlier: [S::Scalar; 2]) -> [S::Scalar; 2] {
+        let [metric, number] = self.sizes(level);
+        [metric.max(earlier[0]), number.max(earlier[1])]
     }
 
     #[cold]
@@ -390,4 +375,9 @@ where
             self.take(system.saddle_at(self.state.t, &self.state.q, &self.state.v), true);
         }
     }
+}
+
+/// The largest number, without signs.
+pub(super) fn largest<R: Real, const N: usize>(numbers: &[R; N]) -> R {
+    numbers.iter().fold(R::zero(), |largest, number| largest.max(number.abs()))
 }

@@ -1,7 +1,7 @@
 //! Where a motion may begin, and the nearest such state.
 
 use super::residuals::{Level, ULPS};
-use super::retraction::{From, Retraction, project, slopes};
+use super::retraction::{From, Retraction, largest, project, slopes};
 use super::solution::regular_at;
 use super::{Metric, Residuals, Surface};
 use crate::linear::SaddlePoint;
@@ -153,7 +153,6 @@ where
     let by_state = slopes.each(|slope| slope * metric.extent(numbers));
     let is_small = || {
         let (change, _) = saddle.solve(&[R::zero(); N], residuals.values(level));
-        let largest = |values: &[R; N]| values.iter().fold(R::zero(), |largest: R, x| largest.max(x.abs()));
         let excess = largest(&change) - part * largest(numbers);
         excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
     };

@@ -18,7 +18,7 @@
 //! | [`contradictions`] | constraints that no state satisfies together, and other ends of motions by their names |
 //! | [`baumgarte`] | stabilisation instead of projection |
 //! | [`formulations`] | Lagrangians as a whole, Chetaev's rule |
-//! | [`scalars`], [`units`] | single precision; units of mass, length and time |
+//! | [`scalars`], [`units`], [`masses`] | single precision; units of mass, length and time; masses of very different sizes |
 
 mod baumgarte;
 mod beside;
@@ -31,6 +31,7 @@ mod formulations;
 mod inputs;
 mod linkages;
 mod many;
+mod masses;
 mod passages;
 mod redundancy;
 mod scalars;
