@@ -9,6 +9,12 @@ use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
 
 /// A method that takes steps of a size chosen by the caller.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` takes no fixed steps of `{S}`",
+    label = "no method of fixed steps for this system",
+    note = "methods of fixed steps are `Jet<8>` (or another order), `Rk4`, `Leapfrog`, `Gauss4` and their kin",
+    note = "methods under error control, such as `Dop853`, are for `simulate_with::<Dop853>(…)`"
+)]
 pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
     /// The memory of the method between steps. It belongs to one system with its constants. It survives
     /// failed steps and changes of the inputs, so a method checks whether it still applies.
@@ -88,6 +94,12 @@ pub struct Steps {
 
 /// A method under error control, for motions with inputs from `C`. It may be ahead of the state that its
 /// caller sees, and goes on from the ends of its own steps.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not simulate `{S}` under error control",
+    label = "no adaptive method of this system",
+    note = "`simulate(…)` takes the best adaptive method of a system, and `simulate_with` takes `Dop853`, or `Jets` for a smooth system",
+    note = "methods of fixed steps, such as `Rk4`, are for `stepper::<Rk4>(…)`, where you choose the steps"
+)]
 pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> {
     /// The memory of a motion by this method between steps.
     type Memory: Copy + core::fmt::Debug;
