@@ -134,7 +134,7 @@ where
             matches!(row, Row::Friction { normal: Some(_), .. }) && status != Status::Apart
         });
         if combinations(&options) > FEW
-            && let Some((chosen, part)) = self.pivoted(&options, decided)
+            && let Some((chosen, part)) = self.pivoted(&options, decided, is_coupled)
         {
             if is_coupled && let Some(constraint) = self.another(&chosen, &options, part, decided) {
                 return Err(Cause::SeveralReactions { constraint, name: S::NAMES.constraint(constraint) });

@@ -165,8 +165,14 @@ where
     fn strike(&self, demand: &Demand<S::Scalar, C>) -> Result<Impulses<S::Scalar, N, C>, Cause> {
         let options: [Options; C] = array(|row| self.ways(row));
         let by_sweeps = || {
-            let parts = self.swept(&options, demand)?;
-            thresholds().into_iter().find_map(|part| self.agreed(&parts, &options, demand, part)?.ok())
+            let parts = self.swept_by_impulses(&options, demand)?;
+            thresholds().into_iter().find_map(|part| {
+                self.turn_over(&parts, &options, FEW, |parts| {
+                    let strike = self.impulses(parts, &options, demand, part)?;
+                    let (faults, impulses) = (self.faults_of(parts, &strike, demand, part), strike.impulses);
+                    Some((strike, faults, impulses))
+                })
+            })
         };
         // Of many combinations few agree, and sweeps find one sooner.
         let are_many = combinations(&options) > FEW;
@@ -203,7 +209,8 @@ where
         part: S::Scalar,
     ) -> Option<Result<Impulses<S::Scalar, N, C>, usize>> {
         let strike = self.impulses(parts, options, demand, part)?;
-        Some(self.agree(parts, &strike, demand, part).map(|()| strike))
+        let faults = self.faults_of(parts, &strike, demand, part);
+        Some(faults.iter().position(|&is_one| is_one).map_or(Ok(strike), Err))
     }
 
     /// The possible activities of a row in an impact, the one to be tried first at the beginning.
@@ -247,20 +254,20 @@ where
         }
     }
 
-    /// Whether the demands of a combination agree with its consequences; if not, the row where they do not.
-    fn agree(
+    /// The rows where the demands of a combination do not agree with its consequences.
+    fn faults_of(
         &self,
         parts: &[Part; C],
         strike: &Impulses<S::Scalar, N, C>,
         demand: &Demand<S::Scalar, C>,
         part: S::Scalar,
-    ) -> Result<(), usize> {
+    ) -> [bool; C] {
         let zero: S::Scalar = num_traits::Zero::zero();
         let mut sizes = [zero; N];
         self.load(&strike.impulses, &mut sizes);
         self.load(&demand.given, &mut sizes);
         let scale = |row: usize| self.borne(row, &sizes);
-        for (row, kind) in S::ROWS.iter().enumerate() {
+        array(|row| {
             let before = entry(&self.laws.rows.rates, row);
             let change = self.along(row, &strike.changes);
             let after = before + change;
@@ -272,31 +279,29 @@ where
             let impulse = entry(&strike.impulses, row);
             // Rows that depend on each other may demand contradictory things.
             let wanted = self.wanted(row, &demand.restitution);
-            let asked = strike.active.get(row) == Some(&true);
             let inexact = S::Scalar::epsilon().sqrt() * (wanted.abs() + change.abs() + speed + single);
-            if asked && above((change - wanted).abs(), inexact) {
-                return Err(row);
+            if strike.active[row] && above((change - wanted).abs(), inexact) {
+                return true;
             }
-            let way = parts.get(row).copied().unwrap_or(Part::Off);
-            let holds = match (kind, way) {
+            let agrees = match (S::ROWS[row], parts[row]) {
                 (Row::Bilateral, Part::Against) => !above(impulse, slack),
                 (Row::Bilateral, _) if super::choice::is_limit(&S::ROWS, row) => !above(-slack, impulse),
                 (Row::Unilateral, Part::On) => !above(-slack, impulse),
-                (Row::Unilateral, _) if self.is_closed.get(row) == Some(&true) => {
-                    let meets = self.status.get(row) == Some(&Status::Meets);
+                (Row::Unilateral, _) if self.is_closed[row] => {
+                    let meets = self.status[row] == Status::Meets;
                     let back = if meets { entry(&demand.restitution, row) * before } else { zero };
                     !above(-play, after + back)
                 }
                 (Row::Friction { normal: Some(normal), pair }, way) => {
-                    let given = entry(&demand.given, *normal);
-                    let pressing = entry(&strike.impulses, *normal) + given;
+                    let given = entry(&demand.given, normal);
+                    let pressing = entry(&strike.impulses, normal) + given;
                     let limit = entry(&self.against(-impulse).kinetic, row) * pressing.abs();
-                    let (other, slack) = match *pair {
+                    let (other, slack) = match pair {
                         Some(other) => (entry(&strike.impulses, other), most(slack, part * scale(other))),
                         None => (zero, slack),
                     };
                     match way {
-                        Part::On if parts.get(*normal) != Some(&Part::Off) || given.is_positive() => {
+                        Part::On if parts.get(normal) != Some(&Part::Off) || given.is_positive() => {
                             !above(impulse.hypot(other), limit + part * limit + slack)
                         }
                         Part::Forward if pair.is_none() => !above(-play, after),
@@ -306,10 +311,7 @@ where
                 }
                 _ => true,
             };
-            if !holds {
-                return Err(row);
-            }
-        }
-        Ok(())
+            !agrees
+        })
     }
 }

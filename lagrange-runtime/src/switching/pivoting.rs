@@ -8,17 +8,21 @@
 //! Bard-type scheme for solving the complementarity problem", Opsearch 11, 1974; J. J. Júdice, F. M. Pires,
 //! "A block principal pivoting algorithm for large-scale strictly monotone linear complementarity problems",
 //! Comput. Oper. Res. 21, 1994). Friction that reactions drive, and slips in two directions, change in the
-//! same way. What is found is examined like every other combination.
+//! same way, and end sooner from what sweeps over contacts have found. What is found is examined like every
+//! other combination.
 
 use super::choice::{Choice, is_limit};
 use super::scene::{Scene, entry, put};
-use super::trials::{COMBINATIONS, Options, Part, regime, thresholds};
+use super::trials::{COMBINATIONS, FEW, Options, Part, regime, thresholds};
 use super::{Row, Switching};
 use crate::number::elements::Each;
 use crate::number::real::Real;
 
 /// The turns without fewer faults after which single rows change, as Júdice and Pires have it.
 const PATIENCE: usize = 10;
+
+/// The consequences of a combination, the rows that do not agree with them, and reactions or impulses.
+pub(super) type Examined<T, R, const C: usize> = (T, [bool; C], [R; C]);
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
 where
@@ -31,8 +35,19 @@ where
         &self,
         options: &[Options; C],
         decided: Option<usize>,
+        is_coupled: bool,
     ) -> Option<(Choice<S::Scalar, N, C, W>, S::Scalar)> {
-        thresholds().into_iter().find_map(|part| Some((self.pivot(options, part, decided)?, part)))
+        let first = options.each(|options| options.first());
+        let from = |parts: &[Part; C], turns: usize| {
+            thresholds()
+                .into_iter()
+                .find_map(|part| Some((self.pivot(parts, options, (part, turns), decided)?, part)))
+        };
+        let by_sweeps = || from(&self.swept_by_forces(options)?, FEW);
+        // Without coupled friction the turns end at the solution.
+        from(&first, FEW)
+            .or_else(by_sweeps)
+            .or_else(|| if is_coupled { None } else { from(&first, COMBINATIONS) })
     }
 
     /// The first contact or constraint that reacts otherwise in another regime that agrees with its
@@ -58,21 +73,42 @@ where
             });
             let mut other = near;
             put(&mut other, row, Options::new(&[way?]));
-            self.differs(chosen, &self.pivot(&other, part, decided)?)
+            let first = other.each(|options| options.first());
+            self.differs(chosen, &self.pivot(&first, &other, (part, FEW), decided)?)
         })
     }
 
-    /// The same up to one part, from the first activity of each row.
+    /// The regime that agrees up to a part, from these activities on, in so many turns at most.
     fn pivot(
         &self,
+        parts: &[Part; C],
         options: &[Options; C],
-        part: S::Scalar,
+        (part, turns): (S::Scalar, usize),
         decided: Option<usize>,
     ) -> Option<Choice<S::Scalar, N, C, W>> {
-        let mut parts = options.each(|options| options.first());
+        self.turn_over(parts, options, turns, |parts| {
+            let regime = regime(&S::ROWS, parts, options, &[false; C], self.kinks)?;
+            let trial = self.trial(regime)?;
+            let mut faults = [false; C];
+            self.faults(parts, &trial, part, decided).for_each(|row| put(&mut faults, row, true));
+            Some((trial, faults, trial.multipliers))
+        })
+    }
+
+    /// What agrees with its consequences after rows that do not have changed in turn, from these activities
+    /// on. `None` where `turns` are not enough, no row can change, or a combination has no consequences.
+    #[cold]
+    pub(super) fn turn_over<T>(
+        &self,
+        parts: &[Part; C],
+        options: &[Options; C],
+        turns: usize,
+        examine: impl Fn(&[Part; C]) -> Option<Examined<T, S::Scalar, C>>,
+    ) -> Option<T> {
+        let mut parts = *parts;
         let (mut fewest, mut patience) = (usize::MAX, PATIENCE);
         let mut single = None;
-        for turn in 0..COMBINATIONS {
+        for turn in 0..turns {
             // Friction of an open contact begins anew where the contact closes.
             let is_open: [bool; C] = parts.each(|part| part == Part::Off);
             for (part, (kind, options)) in parts.iter_mut().zip(S::ROWS.iter().zip(options)) {
@@ -82,16 +118,15 @@ where
                     *part = options.first();
                 }
             }
-            let regime = regime(&S::ROWS, &parts, options, &[false; C], self.kinks)?;
-            let trial = self.trial(regime)?;
-            let faults = || self.faults(&parts, &trial, part, decided);
+            let (found, faults, multipliers) = examine(&parts)?;
+            let faults = || (0..C).filter(|&row| faults.get(row) == Some(&true));
             let count = faults().count();
             if count == 0 {
-                return Some(trial);
+                return Some(found);
             }
             let mut next = parts;
             let mut change = |row: usize| {
-                let turned = self.turned(row, entry_of(&parts, row), options, &trial.multipliers);
+                let turned = self.turned(row, entry_of(&parts, row), options, &multipliers);
                 turned.map(|turned| put(&mut next, row, turned)).is_some()
             };
             let has_changed = if count < fewest || patience > 0 {
@@ -106,11 +141,7 @@ where
                 if turn.is_power_of_two() || single.is_none() {
                     single = Some(parts);
                 }
-                let mut last = [None; C];
-                for (last, row) in last.iter_mut().zip(faults()) {
-                    *last = Some(row);
-                }
-                last.into_iter().rev().flatten().any(change)
+                (0..C).rev().filter(|&row| faults().any(|fault| fault == row)).any(change)
             };
             if !has_changed {
                 return None;
