@@ -155,20 +155,31 @@ where
 
     /// The part of the step, up to `until`, after which a bound of a slip is below zero by more than its
     /// rounding errors.
+    ///
+    /// Rounding errors inside of a coefficient do not show in its size, as in 1 + cos t beside t = π. They show
+    /// where no polynomial fits it, however short the part is: then they are what its values there differ by.
     #[inline(never)]
     fn falls(&mut self, row: usize, which: usize, until: S::Scalar) -> Result<Option<S::Scalar>, Cause> {
         let none: S::Scalar = num_traits::Zero::zero();
         let shortest = S::Scalar::from_f64(0.5).powi(HALVINGS) * until;
-        let lost = rounding::<S::Scalar>() * entry(&self.memory.scales.coefficients, row);
+        let scale = entry(&self.memory.scales.coefficients, row);
+        let mut lost = rounding::<S::Scalar>() * scale;
         let (mut from, mut width) = (none, until);
         while from < until {
-            if entry(&self.bounds_at(row, from)?, which) + lost < none {
+            let here = entry(&self.bounds_at(row, from)?, which);
+            if here + lost < none {
                 return Ok(Some(from));
             }
             width = smaller(width, until - from);
             let nan = S::Scalar::from_f64(f64::NAN);
-            let bound = Polynomial::interpolate(lost, |place| {
-                self.bounds_at(row, from + place * width).map_or(nan, |bounds| entry(&bounds, which) + lost)
+            let (mut least, mut largest) = (here, here);
+            // Its noise is then a quarter of what is lost.
+            let size = lost / (S::Scalar::from_f64(32.0) * S::Scalar::epsilon());
+            let bound = Polynomial::interpolate(size, |place| {
+                let bound = self.bounds_at(row, from + place * width);
+                let bound = bound.map_or(nan, |bounds| entry(&bounds, which));
+                (least, largest) = (smaller(least, bound), larger(largest, bound));
+                bound + lost
             });
             match bound {
                 Ok(bound) => {
@@ -176,11 +187,17 @@ where
                         return Ok(Some(from + zero.theta * width));
                     }
                 }
-                // A coefficient with a kink at the end of the slip has no polynomial there.
-                Err(Unresolved::Degree) if width <= shortest => {}
                 Err(_) if width > shortest => {
                     width *= S::Scalar::from_f64(0.5);
                     continue;
+                }
+                Err(Unresolved::Degree) => {
+                    let differ = largest - least;
+                    if differ > lost && differ < S::Scalar::epsilon().sqrt() * scale {
+                        (lost, width) = (S::Scalar::from_f64(4.0) * differ, until - from);
+                        continue;
+                    }
+                    // A coefficient with a kink at the end of the slip has no polynomial there.
                 }
                 Err(why) => return Err(why.cause()),
             }
