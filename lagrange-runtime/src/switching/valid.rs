@@ -173,7 +173,7 @@ where
             width = smaller(width, until - from);
             let nan = S::Scalar::from_f64(f64::NAN);
             let (mut least, mut largest) = (here, here);
-            // Its noise is then a quarter of what is lost.
+            // Its noise is then a quarter of what is lost, if that of its slope is no more.
             let size = lost / (S::Scalar::from_f64(32.0) * S::Scalar::epsilon());
             let bound = Polynomial::interpolate(size, |place| {
                 let bound = self.bounds_at(row, from + place * width);
@@ -182,6 +182,10 @@ where
                 bound + lost
             });
             match bound {
+                Ok(bound) if bound.noise() + bound.noise() > lost => {
+                    lost = S::Scalar::from_f64(4.0) * bound.noise();
+                    continue;
+                }
                 Ok(bound) => {
                     if let Some(zero) = bound.first(Kind::Falling, Memory::Side(Side::Above)) {
                         return Ok(Some(from + zero.theta * width));

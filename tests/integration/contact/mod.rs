@@ -12,6 +12,7 @@ mod corners;
 mod dead_centres;
 mod directions;
 mod edges;
+mod fading;
 mod feet;
 mod friction;
 mod grooves;

@@ -3,7 +3,7 @@
 
 use lagrangian::prelude::*;
 
-use crate::support::close::close;
+use crate::support::close::{close, close_on};
 use crate::support::sample::Samples;
 
 /// ∫ dv / a(v) by Simpson's rule.
@@ -106,5 +106,91 @@ fn a_velocity_passes_a_narrow_force() {
         let whole = time(start, end, |v| -force - more * (-(v / width).powi(2)).exp());
         let v = bump.simulate(State::new([0.0], [start])).advance_to(whole).unwrap().v[0];
         close(v, end, 1e-8);
+    }
+}
+
+/// A block that a belt takes along against a spring.
+struct Belt {
+    stiffness: f64,
+    kinetic: f64,
+    fixed: f64,
+    width: f64,
+    speed: f64,
+}
+
+impl Belt {
+    fn sample(samples: &mut Samples) -> Self {
+        let [stiffness, kinetic, fixed, width, speed] =
+            [[1.0, 20.0], [0.5, 1.0], [1.0, 2.0], [0.02, 0.5], [0.05, 0.5]]
+                .map(|[a, b]| samples.number(a, b));
+        Self { stiffness, kinetic, fixed, width, speed }
+    }
+}
+
+#[lagrangian(coordinates = [x])]
+impl Belt {
+    #[point(mass = 1.0)]
+    fn block(&self, q: &Coordinates) -> Vector1<f64> {
+        Vector1::new(q.x)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        0.5 * self.stiffness * q.x * q.x
+    }
+
+    fn law(&self, v: &Velocities) -> f64 {
+        self.kinetic + (self.fixed - self.kinetic) * (-((v.x - self.speed) / self.width).powi(2)).exp()
+    }
+
+    #[friction(limit = law)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x - self.speed
+    }
+}
+
+/// The same, which says once more what holds at rest.
+struct Repeated(Belt);
+
+#[lagrangian(coordinates = [x])]
+impl Repeated {
+    #[point(mass = 1.0)]
+    fn block(&self, q: &Coordinates) -> Vector1<f64> {
+        Vector1::new(q.x)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        0.5 * self.0.stiffness * q.x * q.x
+    }
+
+    fn law(&self, v: &Velocities) -> f64 {
+        self.0.kinetic
+            + (self.0.fixed - self.0.kinetic) * (-((v.x - self.0.speed) / self.0.width).powi(2)).exp()
+    }
+
+    #[friction(limit = law, static_limit = self.0.fixed)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x - self.0.speed
+    }
+}
+
+/// The bound that the static value is no less than the kinetic one is then zero at rest, with the rounding
+/// errors of the law.
+#[test]
+fn the_static_value_may_be_that_of_the_law_at_rest() {
+    let mut samples = Samples::new(61);
+    for _ in 0..40 {
+        let belt = Belt::sample(&mut samples);
+        let start = State::new([0.0], [belt.speed]);
+        let mut motion = belt.simulate(start).with_tolerance(1e-11);
+        let lets_go = motion.advance_to_switch(99.0).unwrap().expect("the spring pulls it loose");
+        close(lets_go.state.t, belt.fixed / (belt.stiffness * belt.speed), 1e-12);
+        let expected = *motion.advance_to(lets_go.state.t + 3.0).unwrap();
+        let repeated = Repeated(belt);
+        let mut motion = repeated.simulate(start).with_tolerance(1e-11).with_max_steps(10_000);
+        let end = motion.advance_to(expected.t).unwrap();
+        close_on(1.0, end.q[0], expected.q[0], 1e-7);
+        close_on(1.0, end.v[0], expected.v[0], 1e-6);
     }
 }
