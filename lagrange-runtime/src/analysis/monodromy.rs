@@ -67,7 +67,8 @@ where
         period: S::Scalar,
     ) -> Result<Monodromy<S::Scalar, N, P>, MotionError<S::Scalar>> {
         let start = self.transition();
-        let transition = self.advance_to(start.state.t + period)?;
+        let end = self.advance_to(start.state.t + period)?;
+        let transition = end.beside::<D>(S::ORIENTATIONS, &start.state);
         let failed = MotionError { cause: Cause::NoEigenvalues, t: transition.state.t };
         let multipliers = multipliers(&start, &transition, C > 0).ok_or(failed)?;
         Ok(Monodromy { transition, multipliers })

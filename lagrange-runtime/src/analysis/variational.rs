@@ -20,6 +20,7 @@ use crate::motion::simulation::Simulation;
 use crate::number::elements::{Each, array};
 use crate::number::real::{Dual, Ordered, Real};
 use crate::system::System;
+use crate::system::attitude::beside;
 use crate::system::control::Held;
 use crate::system::error::MotionError;
 use crate::system::method::Steps;
@@ -129,6 +130,16 @@ impl<R: Real, const N: usize, const P: usize> Transition<R, N, P> {
                 }
             }
         }
+    }
+
+    /// The same with those numbers for orientations that lie nearest to those of another state, `D` directions
+    /// at once.
+    pub(super) fn beside<const D: usize>(mut self, orientations: &[usize], near: &State<R, N>) -> Self {
+        let own = self;
+        for first in passes::<N, P, D>() {
+            self.take(first, &beside(orientations, &own.varied::<D>(first), near, |x| x.value));
+        }
+        self
     }
 
     /// An entry of the state-transition matrix, 2`N` × 2`N`, coordinates before velocities; zero outside.
@@ -317,7 +328,8 @@ where
             pass.set_inputs(self.simulation.inputs());
             *pass.limits() = *self.simulation.limits();
             let value = next.state;
-            next.take(first, pass.advance_to(Dual::constant(t)).map_err(without_slopes)?);
+            let end = pass.advance_to(Dual::constant(t)).map_err(without_slopes)?;
+            next.take(first, &beside(S::ORIENTATIONS, end, &value, |x| x.value));
             next.state = value;
             let Steps { accepted, rejected, evaluations } = pass.steps();
             self.counts.accepted += accepted;

@@ -152,6 +152,34 @@ pub fn settle<R: Real, const N: usize>(orientations: &[usize], state: &State<R, 
     settled
 }
 
+/// The same state with those triples of its orientations that lie nearest to the ones of another state. Two
+/// computations of one motion may change to the shorter triple at different times.
+#[must_use]
+pub(crate) fn beside<R: Real, T: Real, const N: usize>(
+    orientations: &[usize],
+    state: &State<T, N>,
+    near: &State<R, N>,
+    value: impl Fn(T) -> R,
+) -> State<T, N> {
+    let mut state = *state;
+    for &first in orientations {
+        let (rho, rates, near) = (triple(&state.q, first), triple(&state.v, first), triple(&near.q, first));
+        let far = |rho: [T; 3]| square(array(|i| value(rho[i]) - near[i]));
+        let opposite = opposite(rho, rates, square(rho));
+        // A turn by nothing has an infinite opposite, which is nearer to none.
+        if (far(rho) - far(opposite.0)).is_positive() {
+            for i in 0..3 {
+                for (to, new) in [(&mut state.q, opposite.0[i]), (&mut state.v, opposite.1[i])] {
+                    if let Some(to) = to.get_mut(first + i) {
+                        *to = new;
+                    }
+                }
+            }
+        }
+    }
+    state
+}
+
 /// Gives the three numbers of an orientation one size: the largest of theirs, `least` at least.
 pub(crate) fn share<R: Real, const N: usize>(sizes: &mut [R; N], first: usize, least: R) {
     if let Some(triple) = sizes.get_mut(first..first + 3) {
@@ -163,7 +191,11 @@ pub(crate) fn share<R: Real, const N: usize>(sizes: &mut [R; N], first: usize, l
 /// The other triple of an orientation, and its rates. Triples of less than half a turn, which stay, give
 /// finite numbers.
 fn other<R: Real>(rho: [R; 3], rates: [R; 3]) -> ([R; 3], [R; 3]) {
-    let square = square(rho).max(R::from_f64(HALF_A_TURN));
+    opposite(rho, rates, square(rho).max(R::from_f64(HALF_A_TURN)))
+}
+
+/// The other triple of an orientation with this |ρ|², and its rates.
+fn opposite<R: Real>(rho: [R; 3], rates: [R; 3], square: R) -> ([R; 3], [R; 3]) {
     let scale = -(R::from_f64(HALF_A_TURN) / square);
     let along = rho[0] * rates[0] + rho[1] * rates[1] + rho[2] * rates[2];
     let back = R::from_f64(2.0) * along / square;
