@@ -2,6 +2,7 @@
 //! system can have beside them.
 
 mod beside;
+mod derivatives;
 mod elliptic;
 mod linkage;
 mod momenta;
