@@ -7,7 +7,6 @@
 //! *Solving Least Squares Problems*, chapter 23).
 
 use super::scene::{above, most, product, rounding};
-use crate::linear::Lu;
 use crate::number::elements::array;
 use crate::number::real::Real;
 
@@ -30,12 +29,15 @@ pub(super) fn nearest<R: Real, const C: usize>(
         return Some([zero; C]);
     }
     let asked: [R; C] = array(|j| bounds[j] * scales[j] / far);
-    let gram: [[R; C]; C] = array(|i| array(|j| times(i, j) * scales[i] * scales[j] + asked[i] * asked[j]));
+    let counts = |j: usize| scales[j].is_positive();
+    let product_of = |i: usize, j: usize| times(i, j) * scales[i] * scales[j] + asked[i] * asked[j];
+    let gram: [[R; C]; C] =
+        array(|i| array(|j| if counts(i) && counts(j) { product_of(i, j) } else { zero }));
     let (mut enters, mut u) = ([false; C], [zero; C]);
     // Each round makes the residual shorter, so none of the sets comes twice.
     for _ in 0..8 * C {
         let lacks = |j: usize| asked[j] - product(&gram[j], &u);
-        let free = (0..C).filter(|&j| !enters[j] && scales[j].is_positive());
+        let free = (0..C).filter(|&j| !enters[j] && counts(j));
         let most_lacking = free.fold(None, |most: Option<(usize, R)>, j| {
             let lack = lacks(j);
             if most.is_none_or(|(_, other)| above(lack, other)) { Some((j, lack)) } else { most }
@@ -47,15 +49,7 @@ pub(super) fn nearest<R: Real, const C: usize>(
         enters[j] = true;
         // Goes back to where the first of them is zero, as long as one would be negative.
         while enters.contains(&true) {
-            let matrix = array(|i| {
-                array(|j| match (enters[i] && enters[j], i == j) {
-                    (true, _) => gram[i][j],
-                    (false, true) => one,
-                    (false, false) => zero,
-                })
-            });
-            let wanted = array(|i| if enters[i] { asked[i] } else { zero });
-            let next = Lu::factor(matrix).ok()?.solve(wanted);
+            let next = among(&gram, &asked, &enters)?;
             let first = (0..C).filter(|&j| enters[j] && !next[j].is_positive());
             let first = first.fold(None, |first: Option<(usize, R)>, j| {
                 let share = if u[j].is_positive() { u[j] / (u[j] - next[j]) } else { zero };
@@ -72,6 +66,39 @@ pub(super) fn nearest<R: Real, const C: usize>(
         }
     }
     None
+}
+
+/// The u with Σ gram u = `wanted` in the rows that enter, and zero in all others; `None` where these rows
+/// depend on each other. The matrix is positive definite, so that elimination needs no exchange of rows.
+fn among<R: Real, const C: usize>(gram: &[[R; C]; C], wanted: &[R; C], enters: &[bool; C]) -> Option<[R; C]> {
+    let (mut own, mut u) = ([0; C], [R::zero(); C]);
+    let entering = (0..C).filter(|&j| enters[j]);
+    let count = own.iter_mut().zip(entering).fold(0, |count, (own, j)| {
+        *own = j;
+        count + 1
+    });
+    let rows = || own.iter().copied().enumerate().take(count);
+    let ulps = R::from_f64(2.0 * count as f64) * R::epsilon();
+    let (mut left, mut right) = (*gram, *wanted);
+    for (k, pivot) in rows() {
+        let size = rows().fold(R::zero(), |sum, (_, i)| sum + gram[i][pivot].abs());
+        if !above(left[pivot][pivot], ulps * size) {
+            return None;
+        }
+        let inverse = left[pivot][pivot].recip();
+        for (_, i) in rows().skip(k + 1) {
+            let share = left[i][pivot] * inverse;
+            for (_, j) in rows().skip(k + 1) {
+                left[i][j] = left[i][j] - share * left[pivot][j];
+            }
+            right[i] = right[i] - share * right[pivot];
+        }
+    }
+    for (k, i) in rows().rev() {
+        let known = rows().skip(k + 1).fold(right[i], |rest, (_, j)| rest - left[i][j] * u[j]);
+        u[i] = known / left[i][i];
+    }
+    Some(u)
 }
 
 #[cfg(test)]

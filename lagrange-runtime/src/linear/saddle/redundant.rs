@@ -18,7 +18,8 @@ pub(in crate::linear) fn shorten<R: Real, const C: usize>(
     rank: usize,
 ) {
     let basis = basis(combinations, rank);
-    for row in multipliers {
+    // Rows that do nothing have no multipliers.
+    for row in multipliers.iter_mut().filter(|row| row.iter().any(|x| !x.is_zero())) {
         *row = project(&basis, row, rank);
     }
 }
