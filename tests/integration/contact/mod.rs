@@ -17,6 +17,7 @@ mod feet;
 mod friction;
 mod grooves;
 mod growing;
+mod heaps;
 mod indeterminate;
 mod inputs;
 mod joins;
