@@ -132,8 +132,8 @@ impl<R: Real, const N: usize, const P: usize> Transition<R, N, P> {
         }
     }
 
-    /// The same with those numbers for orientations that lie nearest to those of another state, `D` directions
-    /// at once.
+    /// The same with those numbers for orientations that lie nearest to those of another state, `D`
+    /// directions at once.
     pub(super) fn beside<const D: usize>(mut self, orientations: &[usize], near: &State<R, N>) -> Self {
         let own = self;
         for first in passes::<N, P, D>() {

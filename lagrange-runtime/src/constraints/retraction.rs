@@ -327,8 +327,8 @@ where
         self.is_within(level, begun, S::Scalar::epsilon().sqrt())
     }
 
-    /// Whether the residual is below a share of the summands and of the state. The state counts by the less of
-    /// its two sizes: in the kinetic metric alone, heavy bodies far away would hide that a light one is off.
+    /// Whether the residual is below a share of the summands and of the state. The state counts by the less
+    /// of its two sizes: in the kinetic metric alone, heavy bodies would hide that a light one is off.
     #[cold]
     #[inline(never)]
     fn is_within(&self, level: Level, begun: [S::Scalar; 2], part: S::Scalar) -> bool {

@@ -89,9 +89,9 @@ fn among<R: Real, const C: usize>(gram: &[[R; C]; C], wanted: &[R; C], enters: &
         for (_, i) in rows().skip(k + 1) {
             let share = left[i][pivot] * inverse;
             for (_, j) in rows().skip(k + 1) {
-                left[i][j] = left[i][j] - share * left[pivot][j];
+                left[i][j] -= share * left[pivot][j];
             }
-            right[i] = right[i] - share * right[pivot];
+            right[i] -= share * right[pivot];
         }
     }
     for (k, i) in rows().rev() {

@@ -1,10 +1,10 @@
 //! What many contacts do at once, by sweeps over them.
 //!
-//! Each contact in turn takes the force or impulse that it needs with those of all others as they are, no less
-//! than zero and within its friction (the projected Gauss–Seidel method; M. Jean, "The non-smooth contact
-//! dynamics method", Comput. Methods Appl. Mech. Engrg. 177, 1999). Sweeps converge slowly, but soon tell which
-//! contacts press and which of their frictions slip; forces and impulses follow from that exactly, as those of
-//! any other combination.
+//! Each contact in turn takes the force or impulse that it needs with those of all others as they are, no
+//! less than zero and within its friction (the projected Gauss–Seidel method; M. Jean, "The non-smooth
+//! contact dynamics method", Comput. Methods Appl. Mech. Engrg. 177, 1999). Sweeps converge slowly, but soon
+//! tell which contacts press and which of their frictions slip; forces and impulses follow from that exactly,
+//! as those of any other combination.
 
 use super::impact::Demand;
 use super::scene::{Scene, Status, above, entry, most, product, put, rounding};
@@ -45,8 +45,8 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// The activities of rows in an impact after sweeps. `None` where friction acts in constraints that always
-    /// hold, which take impulses of either sign, or where contacts give impulses in any case.
+    /// The activities of rows in an impact after sweeps. `None` where friction acts in constraints that
+    /// always hold, which take impulses of either sign, or where contacts give impulses in any case.
     #[cold]
     pub(super) fn swept_by_impulses(
         &self,
@@ -71,8 +71,8 @@ where
         })
     }
 
-    /// The activities of rows under forces after sweeps. `None` where friction acts in constraints that always
-    /// hold.
+    /// The activities of rows under forces after sweeps. `None` where friction acts in constraints that
+    /// always hold.
     #[cold]
     pub(super) fn swept_by_forces(&self, options: &[Options; C]) -> Option<[Part; C]> {
         let State { t, q, v } = &self.state;

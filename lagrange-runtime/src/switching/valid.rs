@@ -156,8 +156,9 @@ where
     /// The part of the step, up to `until`, after which a bound of a slip is below zero by more than its
     /// rounding errors.
     ///
-    /// Rounding errors inside of a coefficient do not show in its size, as in 1 + cos t beside t = π. They show
-    /// where no polynomial fits it, however short the part is: then they are what its values there differ by.
+    /// Rounding errors inside of a coefficient do not show in its size, as in 1 + cos t beside t = π. They
+    /// show where no polynomial fits it, however short the part is: then they are what its values there
+    /// differ by.
     #[inline(never)]
     fn falls(&mut self, row: usize, which: usize, until: S::Scalar) -> Result<Option<S::Scalar>, Cause> {
         let none: S::Scalar = num_traits::Zero::zero();
@@ -196,9 +197,9 @@ where
                     continue;
                 }
                 Err(Unresolved::Degree) => {
-                    let differ = largest - least;
-                    if differ > lost && differ < S::Scalar::epsilon().sqrt() * scale {
-                        (lost, width) = (S::Scalar::from_f64(4.0) * differ, until - from);
+                    let more = larger(lost, largest - least);
+                    if more < S::Scalar::epsilon().sqrt() * scale {
+                        (lost, width) = (S::Scalar::from_f64(4.0) * more, until - from);
                         continue;
                     }
                     // A coefficient with a kink at the end of the slip has no polynomial there.
