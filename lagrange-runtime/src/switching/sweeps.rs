@@ -34,8 +34,8 @@ enum Deed {
     Drags { forward: bool },
 }
 
-/// The rates that rows would have by themselves, and those that they are to have.
-struct Lacks<R, const C: usize> {
+/// What sweeps go over.
+struct Task<R, const C: usize> {
     deeds: [Deed; C],
     /// The changes of rates that rows demand.
     wanted: [R; C],
@@ -66,7 +66,7 @@ where
         let wanted = array(|row| self.wanted(row, &demand.restitution));
         let equations =
             S::equations_in(&self.open(), self.state.t, &self.state.q, &self.state.v, self.inputs)?;
-        self.swept(options, &equations.saddle, &Lacks { deeds, wanted }, |row, impulse| {
+        self.swept(options, &equations.saddle, &Task { deeds, wanted }, |row, impulse| {
             entry(&self.against(-impulse).kinetic, row)
         })
     }
@@ -91,7 +91,7 @@ where
             }
         });
         let wanted = array(|row| -self.rate(row, &free));
-        self.swept(options, &equations.saddle, &Lacks { deeds, wanted }, |row, force| {
+        self.swept(options, &equations.saddle, &Task { deeds, wanted }, |row, force| {
             let against = self.against(-force);
             entry(
                 if self.status.get(row) == Some(&Status::Slips) { &against.kinetic } else { &against.fixed },
@@ -110,7 +110,7 @@ where
         &self,
         options: &[Options; C],
         saddle: &impl SaddlePoint<S::Scalar, N, C>,
-        Lacks { deeds, wanted }: &Lacks<S::Scalar, C>,
+        Task { deeds, wanted }: &Task<S::Scalar, C>,
         coefficient: impl Fn(usize, S::Scalar) -> S::Scalar,
     ) -> Option<[Part; C]> {
         let zero: S::Scalar = num_traits::Zero::zero();
