@@ -31,7 +31,7 @@ use super::solution::regular_at;
 use super::start::SHARE;
 use super::{Factors, Residuals, Surface, moved};
 use crate::linear::{Gradients, Independence, SaddlePoint, determined};
-use crate::number::elements::{Each, array};
+use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::metric::Metric;
@@ -182,7 +182,7 @@ where
                 break;
             };
             let after = there.distance(level, &slopes);
-            let steps = [metric.extent(&change), largest(&change)].each(|step| (step * share).largest());
+            let steps = metric.sizes(&change).each(|step| (step * share).largest());
             let helped = after < before;
             if helped {
                 (self.state, self.residuals, self.is_fresh) = (next, there, false);
@@ -327,14 +327,11 @@ where
         self.is_within(level, begun, S::Scalar::epsilon().sqrt())
     }
 
-    /// Whether the residual is below a share of the summands and of the state. The state counts by the less
-    /// of its two sizes: in the kinetic metric alone, heavy bodies would hide that a light one is off.
+    /// Whether the residual is below a share of the summands and of the state.
     #[cold]
     #[inline(never)]
     fn is_within(&self, level: Level, begun: [S::Scalar; 2], part: S::Scalar) -> bool {
-        let [size, number] = self.sizes_since(level, begun);
-        let by_number = self.gradients.slopes(&[num_traits::One::one(); N]);
-        let by_state = array(|c| (self.slopes[c] * size).min(by_number[c] * number));
+        let by_state = self.metric.changes(&self.gradients, self.sizes_since(level, begun));
         self.residuals.is_within_apart(level, part, &by_state)
     }
 
@@ -358,8 +355,7 @@ where
 
     /// The largest coordinate, or velocity, in the kinetic metric and as a number.
     fn sizes(&self, level: Level) -> [S::Scalar; 2] {
-        let numbers = if level == Level::Positions { &self.state.q } else { &self.state.v };
-        [self.metric.extent(numbers), largest(numbers)]
+        self.metric.sizes(if level == Level::Positions { &self.state.q } else { &self.state.v })
     }
 
     /// The same, now or earlier.
@@ -375,9 +371,4 @@ where
             self.take(system.saddle_at(self.state.t, &self.state.q, &self.state.v), true);
         }
     }
-}
-
-/// The largest number, without signs.
-pub(super) fn largest<R: Real, const N: usize>(numbers: &[R; N]) -> R {
-    numbers.iter().fold(R::zero(), |largest, number| largest.max(number.abs()))
 }

@@ -1,13 +1,14 @@
 //! Where a motion may begin, and the nearest such state.
 
 use super::residuals::{Level, ULPS};
-use super::retraction::{From, Retraction, largest, project, slopes};
+use super::retraction::{From, Retraction, project, slopes};
 use super::solution::regular_at;
 use super::{Metric, Residuals, Surface};
 use crate::linear::SaddlePoint;
 use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::error::{Cause, MotionError};
+use crate::system::metric::largest;
 use crate::system::state::State;
 
 /// The largest violation of a start, as a share of √ε of its numbers: 9e-10 of them, or 2e-5 in single

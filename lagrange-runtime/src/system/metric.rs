@@ -6,7 +6,7 @@
 //! the same in all units of the user.
 
 use crate::linear::{Gradients, SaddlePoint};
-use crate::number::elements::Each;
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 
 /// Units of the coordinates at a state, those of the kinetic metric.
@@ -40,6 +40,23 @@ impl<R: Real, const N: usize> Metric<R, N> {
         x.iter().zip(&self.weights).fold(R::zero(), |most, (x, &weight)| most.max(x.abs() * weight))
     }
 
+    /// The largest of some coordinates, or velocities, in these units and as a number.
+    #[inline(always)]
+    pub(crate) fn sizes(&self, x: &[R; N]) -> [R; 2] {
+        [self.extent(x), largest(x)]
+    }
+
+    /// The most that changes of these sizes make of constraints with these gradients, by the less of both: in
+    /// these units alone, heavy bodies would hide that a light one is off.
+    pub(crate) fn changes<const C: usize>(
+        &self,
+        gradients: &impl Gradients<R, N, C>,
+        [extent, number]: [R; 2],
+    ) -> [R; C] {
+        let (by_extent, by_number) = (self.slopes(gradients), gradients.slopes(&[R::one(); N]));
+        array(|c| (by_extent[c] * extent).min(by_number[c] * number))
+    }
+
     /// How fast constraints with these gradients change along all coordinates together, each in its unit.
     #[inline(always)]
     pub(crate) fn slopes<const C: usize>(&self, gradients: &impl Gradients<R, N, C>) -> [R; C] {
@@ -57,4 +74,9 @@ impl<R: Real, const N: usize> Metric<R, N> {
     pub(crate) fn at_extent(&self, extent: R) -> [R; N] {
         self.units.each(|unit| extent * unit)
     }
+}
+
+/// The largest number, without signs.
+pub(crate) fn largest<R: Real, const N: usize>(numbers: &[R; N]) -> R {
+    numbers.iter().fold(R::zero(), |largest, number| largest.max(number.abs()))
 }

@@ -228,7 +228,7 @@ where
             let (saddle, gradients) = self.tangent(&q);
             let metric = Metric::of(&*saddle);
             let slopes = metric.slopes(&*gradients);
-            let by_state = slopes.each(|slope| slope * metric.extent(&q));
+            let by_state = metric.changes(&*gradients, metric.sizes(&q));
             let before = residuals.distance(Level::Positions, &slopes);
             let (change, _) = saddle.solve(&none, &residuals.positions.each(|f| -f));
             let moved: [S::Scalar; N] = array(|i| q[i] + change[i]);
