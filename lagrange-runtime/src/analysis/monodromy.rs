@@ -10,8 +10,10 @@ use std::vec::Vec;
 use nalgebra::{ColPivQR, Complex, DMatrix};
 
 use super::modes::values;
+use super::variational::passes;
 use super::{Sensitive, Transition, Variational, VariationalMotion};
 use crate::number::real::{Ordered, Real};
+use crate::system::attitude::beside;
 use crate::system::error::{Cause, MotionError};
 use crate::system::state::State;
 
@@ -72,6 +74,18 @@ where
         let failed = MotionError { cause: Cause::NoEigenvalues, t: transition.state.t };
         let multipliers = multipliers(&start, &transition, C > 0).ok_or(failed)?;
         Ok(Monodromy { transition, multipliers })
+    }
+}
+
+impl<R: Real, const N: usize, const P: usize> Transition<R, N, P> {
+    /// The same with those numbers for orientations that lie nearest to those of another state, `D`
+    /// directions at once.
+    fn beside<const D: usize>(mut self, orientations: &[usize], near: &State<R, N>) -> Self {
+        let own = self;
+        for first in passes::<N, P, D>() {
+            self.take(first, &beside(orientations, &own.varied::<D>(first), near, |x| x.value));
+        }
+        self
     }
 }
 

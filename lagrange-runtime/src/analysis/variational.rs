@@ -113,14 +113,14 @@ impl<R: Real, const N: usize, const P: usize> Transition<R, N, P> {
     }
 
     /// The state with the directions from `first` on.
-    fn varied<const D: usize>(&self, first: usize) -> State<Dual<R, D>, N> {
+    pub(super) fn varied<const D: usize>(&self, first: usize) -> State<Dual<R, D>, N> {
         let with = |value: R, row: usize| Dual { value, slopes: array(|i| self.slope(row, first + i)) };
         let State { t, q, v } = &self.state;
         State { t: Dual::constant(*t), q: array(|i| with(q[i], i)), v: array(|i| with(v[i], N + i)) }
     }
 
     /// Takes a state and its directions from `first` on.
-    fn take<const D: usize>(&mut self, first: usize, state: &State<Dual<R, D>, N>) {
+    pub(super) fn take<const D: usize>(&mut self, first: usize, state: &State<Dual<R, D>, N>) {
         let State { t, q, v } = state;
         self.state = State { t: t.value, q: q.each(|q| q.value), v: v.each(|v| v.value) };
         for (row, x) in state.q.iter().chain(&state.v).enumerate() {
@@ -130,16 +130,6 @@ impl<R: Real, const N: usize, const P: usize> Transition<R, N, P> {
                 }
             }
         }
-    }
-
-    /// The same with those numbers for orientations that lie nearest to those of another state, `D`
-    /// directions at once.
-    pub(super) fn beside<const D: usize>(mut self, orientations: &[usize], near: &State<R, N>) -> Self {
-        let own = self;
-        for first in passes::<N, P, D>() {
-            self.take(first, &beside(orientations, &own.varied::<D>(first), near, |x| x.value));
-        }
-        self
     }
 
     /// An entry of the state-transition matrix, 2`N` × 2`N`, coordinates before velocities; zero outside.
@@ -251,7 +241,7 @@ fn without_slopes<R: Real, const D: usize>(error: MotionError<Dual<R, D>>) -> Mo
 }
 
 /// The first direction of each pass.
-fn passes<const N: usize, const P: usize, const D: usize>() -> impl Iterator<Item = usize> {
+pub(super) fn passes<const N: usize, const P: usize, const D: usize>() -> impl Iterator<Item = usize> {
     (0..2 * N + P).step_by(D.max(1))
 }
 

@@ -6,7 +6,7 @@
 //! Only rows whose residual asks for them enter, so those that do are independent (Lawson and Hanson,
 //! *Solving Least Squares Problems*, chapter 23).
 
-use super::scene::{above, most, product, rounding};
+use super::scene::{above, entry, most, product, put, rounding};
 use crate::number::elements::array;
 use crate::number::real::Real;
 
@@ -71,32 +71,34 @@ pub(super) fn nearest<R: Real, const C: usize>(
 /// The u with Σ gram u = `wanted` in the rows that enter, and zero in all others; `None` where these rows
 /// depend on each other. The matrix is positive definite, so that elimination needs no exchange of rows.
 fn among<R: Real, const C: usize>(gram: &[[R; C]; C], wanted: &[R; C], enters: &[bool; C]) -> Option<[R; C]> {
-    let (mut own, mut u) = ([0; C], [R::zero(); C]);
-    let entering = (0..C).filter(|&j| enters[j]);
-    let count = own.iter_mut().zip(entering).fold(0, |count, (own, j)| {
-        *own = j;
-        count + 1
-    });
-    let rows = || own.iter().copied().enumerate().take(count);
+    let count = enters.iter().filter(|&&enters| enters).count();
     let ulps = R::from_f64(2.0 * count as f64) * R::epsilon();
     let (mut left, mut right) = (*gram, *wanted);
-    for (k, pivot) in rows() {
-        let size = rows().fold(R::zero(), |sum, (_, i)| sum + gram[i][pivot].abs());
-        if !above(left[pivot][pivot], ulps * size) {
+    for (k, _) in enters.iter().enumerate().filter(|(_, enters)| **enters) {
+        let size = gram.iter().zip(enters).filter(|(_, enters)| **enters);
+        let size = size.fold(R::zero(), |sum, (row, _)| sum + entry(row, k).abs());
+        let (above_it, own) = (left.get(k).copied()?, entry(&right, k));
+        let pivot = entry(&above_it, k);
+        if !above(pivot, ulps * size) {
             return None;
         }
-        let inverse = left[pivot][pivot].recip();
-        for (_, i) in rows().skip(k + 1) {
-            let share = left[i][pivot] * inverse;
-            for (_, j) in rows().skip(k + 1) {
-                left[i][j] -= share * left[pivot][j];
+        let inverse = pivot.recip();
+        let later = left.iter_mut().zip(&mut right).zip(enters).skip(k + 1);
+        for ((row, right), _) in later.filter(|(_, enters)| **enters) {
+            let share = entry(row, k) * inverse;
+            let entries = row.iter_mut().zip(&above_it).zip(enters).skip(k + 1);
+            for ((x, &above_it), _) in entries.filter(|(_, enters)| **enters) {
+                *x -= share * above_it;
             }
-            right[i] -= share * right[pivot];
+            *right -= share * own;
         }
     }
-    for (k, i) in rows().rev() {
-        let known = rows().skip(k + 1).fold(right[i], |rest, (_, j)| rest - left[i][j] * u[j]);
-        u[i] = known / left[i][i];
+    let mut u = [R::zero(); C];
+    for (i, (row, &right)) in left.iter().zip(&right).enumerate().rev() {
+        if enters.get(i) == Some(&true) {
+            let known = row.iter().zip(&u).skip(i + 1).fold(right, |rest, (&x, &u)| rest - x * u);
+            put(&mut u, i, known / entry(row, i));
+        }
     }
     Some(u)
 }
