@@ -14,7 +14,7 @@ use crate::syntax::integers::Integers;
 use crate::syntax::suggest::{in_rust, nearest};
 
 /// Methods without an effect on values of the interpreter. Conversions take effect where the target is known.
-const TRANSPARENT: [&str; 12] = [
+const TRANSPARENT: [&str; 11] = [
     "clone",
     "into",
     "to_owned",
@@ -22,7 +22,6 @@ const TRANSPARENT: [&str; 12] = [
     "as_ref",
     "into_inner",
     "as_slice",
-    "by_ref",
     "to_homogeneous_coords",
     "into_owned",
     "clone_owned",

@@ -267,6 +267,9 @@ where
         self.load(&strike.impulses, &mut sizes);
         self.load(&demand.given, &mut sizes);
         let scale = |row: usize| self.borne(row, &sizes);
+        // A rule for what the laws of impact leave open, where it can be met.
+        let slips = |row: usize| matches!(parts[row], Part::Forward | Part::Backward);
+        let slides = !above(part, rounding()) && Self::slides(slips);
         array(|row| {
             let before = entry(&self.laws.rows.rates, row);
             let change = self.along(row, &strike.changes);
@@ -290,7 +293,12 @@ where
                 (Row::Unilateral, _) if self.is_closed[row] => {
                     let meets = self.status[row] == Status::Meets;
                     let back = if meets { entry(&demand.restitution, row) * before } else { zero };
-                    !above(-play, after + back)
+                    let is_relieved = || {
+                        slides
+                            && !above(after + back, play)
+                            && self.would_bear(row, &strike.active, &strike.impulses)
+                    };
+                    !above(-play, after + back) && !is_relieved()
                 }
                 (Row::Friction { normal: Some(normal), pair }, way) => {
                     let given = entry(&demand.given, normal);

@@ -35,6 +35,8 @@ where
         let zero: S::Scalar = num_traits::Zero::zero();
         // Beyond the first threshold, errors are those of the largest force, wherever it acts.
         let is_whole = above(part, rounding());
+        // A rule for what the laws of contact leave open, where it can be met.
+        let slides = !is_whole && Self::slides(|row| entry(&trial.regime.slip, row) != zero);
         let levelled = trial.sizes.levelled(&self.units);
         let sizes = if is_whole { levelled } else { trial.sizes };
         let scale = move |row: usize| self.borne(row, &sizes.forces);
@@ -67,7 +69,14 @@ where
                     !above(-slack, side)
                 }
                 (Row::Unilateral, Part::On) => !above(-slack, reaction),
-                (Row::Unilateral, _) if status != Status::Apart => !above(-play, rate),
+                (Row::Unilateral, _) if status != Status::Apart => {
+                    let is_relieved = || {
+                        slides
+                            && !above(rate, play)
+                            && self.would_bear(row, &trial.regime.active, &trial.multipliers)
+                    };
+                    !above(-play, rate) && !is_relieved()
+                }
                 (Row::Friction { normal, pair }, _) if is_active => {
                     let limit = self.limit(row, normal, &trial.multipliers);
                     let (other, slack) = match pair {

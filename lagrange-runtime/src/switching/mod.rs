@@ -39,6 +39,7 @@ mod pace;
 mod pivoting;
 mod place;
 mod reactions;
+mod relief;
 mod rest;
 mod run;
 mod saltation;

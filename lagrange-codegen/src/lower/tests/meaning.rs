@@ -28,6 +28,10 @@ fn syntax() {
     body(quote!(loop {}), "the macro cannot tell when this loop ends; ");
     body(quote!(if let Some(x) = y { x } else { q.x }), "`if let` and `let … else` decide at run time; ");
     body(quote!(let Some(x) = y else { return 0.0 }; x), "`if let` and `let … else` decide at run time; ");
+    body(
+        quote!(let mut rest = q.theta.iter(); rest.by_ref().take(1).sum::<f64>()),
+        "an iterator has no method `by_ref` that the macro knows; ",
+    );
     body(quote!(f()?), "`?` cannot leave a role early; ");
     body(quote!(unsafe { 1.0 }), "an `unsafe` block cannot be turned into an equation; ");
     body(quote!(async { 1.0 }.await), "asynchronous code cannot be turned into an equation; ");

@@ -1,0 +1,47 @@
+//! Contacts that bear nothing although they touch and stay: those that others relieve.
+//!
+//! Four feet on a plane have more loads than equations. They are those of equal stiff springs under the feet:
+//! nᵢ = max(0, Aᵢ y) with one small displacement y. Where feet slip, their motion depends on the loads, so a
+//! regime in which another foot is relieved is another motion. It agrees with its own consequences, since a
+//! foot that depends on the others stays on the plane in either case.
+
+use super::scene::{Scene, above, extent, product};
+use super::{Regime, Row, Switching};
+use crate::linear::SaddlePoint;
+use crate::number::elements::array;
+use crate::number::real::Real;
+use crate::system::state::State;
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+{
+    /// Whether a contact that is not active would bear if those that do were equal stiff springs under these
+    /// loads, forces or impulses. No if the motion that they leave can open it.
+    #[cold]
+    pub(super) fn would_bear(&self, row: usize, active: &[bool; C], loads: &[S::Scalar; C]) -> bool {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let State { t, q, v } = &self.state;
+        let regime = Regime { active: *active, kinks: self.kinks, ..Regime::open(&S::ROWS) };
+        let Some(own) = self.gradients.get(row) else { return false };
+        let Some(equations) = S::equations_in(&self.system.in_regime(&regime), *t, q, v, self.inputs) else {
+            return false;
+        };
+        let half = S::Scalar::epsilon().sqrt();
+        let mobility = product(own, &equations.saddle.solve(own, &[zero; C]).0);
+        if above(mobility, half * self.effect(row, &array(|i| own[i].abs()))) {
+            return false;
+        }
+        let is_spring = |row: usize| active[row] && S::ROWS[row] == Row::Unilateral;
+        let springs = array(|row| if is_spring(row) { loads[row] } else { zero });
+        let (shift, _) = equations.saddle.solve(&[zero; N], &springs);
+        above(product(own, &shift), half * extent(own, &shift))
+    }
+
+    /// Whether a friction slips, in one of these ways, under a load that contacts determine.
+    pub(super) fn slides(slips: impl Fn(usize) -> bool) -> bool {
+        S::ROWS.iter().enumerate().any(|(row, kind)| {
+            matches!(kind, Row::Friction { normal: Some(_), pair } if slips(pair.map_or(row, |other| row.min(other))))
+        })
+    }
+}
