@@ -36,6 +36,7 @@ mod piles;
 mod random;
 mod reactions;
 mod refused;
+mod relief;
 mod rocking;
 mod sides;
 mod slider_crank;
