@@ -12,7 +12,7 @@ use super::value::{Matrix, Value};
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::NodeId;
 use crate::number::Number;
-use crate::syntax::body::{BinaryOperator, If};
+use crate::syntax::body::{BinaryOperator, Expr, If};
 
 impl<'a> Interpreter<'a> {
     /// A comparison as a number, one where it holds and zero elsewhere; `None` for a comparison for equality.
@@ -37,6 +37,35 @@ impl<'a> Interpreter<'a> {
         self.opposites.insert(weight, opposite);
         self.opposites.insert(opposite, weight);
         weight
+    }
+
+    /// The second operand. After a condition on the state, `&&` and `||` ask for it on one side alone; what
+    /// it assigns is assigned there.
+    pub fn asked(
+        &mut self,
+        operator: BinaryOperator,
+        first: &Value,
+        second: &'a Expr,
+        origin: Origin,
+    ) -> Value {
+        let region = self.region();
+        let mut skipped = None;
+        if let Value::Choice(weight) = *first {
+            let asked = if operator == BinaryOperator::And { weight } else { self.opposite(weight) };
+            skipped = Some((asked, self.scope.values()));
+            self.enter_side(asked);
+        }
+        let second = self.expression(second);
+        self.leave_sides(region);
+        if let (Some((asked, before)), Flow::Next) = (skipped, &self.flow) {
+            let (after, open) = (self.scope.values(), self.sides.open().to_vec());
+            let both = after.iter().zip(&before);
+            let merged =
+                both.map(|(after, before)| self.mixed(asked, [after, before], &open, origin)).collect();
+            self.scope.restore(merged);
+        }
+        self.go_beside(region);
+        second
     }
 
     /// Two conditions joined.

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::advice::meets_integer;
 use super::compare::is_comparison;
-use super::interpreter::{Flow, Interpreter};
+use super::interpreter::Interpreter;
 use super::statement::like;
 use super::value::{Matrix, Turn, Value};
 use crate::diagnostics::{Origin, catalogue};
@@ -67,25 +67,7 @@ impl<'a> Interpreter<'a> {
                 first
             }
             _ => {
-                let region = self.region();
-                let mut skipped = None;
-                if let Value::Choice(weight) = first {
-                    let asked = if operator == BinaryOperator::And { weight } else { self.opposite(weight) };
-                    skipped = Some((asked, self.scope.values()));
-                    self.enter_side(asked);
-                }
-                let second = self.expression(right);
-                self.leave_sides(region);
-                if let (Some((asked, before)), Flow::Next) = (skipped, &self.flow) {
-                    // What the second condition assigns is assigned where it is asked for.
-                    let (after, open) = (self.scope.values(), self.sides.open().to_vec());
-                    let both = after.iter().zip(&before);
-                    let merged = both
-                        .map(|(after, before)| self.mixed(asked, [after, before], &open, origin))
-                        .collect();
-                    self.scope.restore(merged);
-                }
-                self.go_beside(region);
+                let second = self.asked(operator, &first, right, origin);
                 match (&first, &second) {
                     (Value::Integer(value, ..), other) if meets_integer(operator, other) => {
                         self.integer_as_number(*value, left)
