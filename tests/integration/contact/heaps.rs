@@ -137,8 +137,8 @@ heap!(Four, 4, 12, 6);
 #[test]
 fn three_discs_come_to_rest() {
     let mut random = Samples::new(41);
-    let rest = (0..12).filter(|k| Three::settles(&mut random, 0.05 * f64::from(*k))).count();
-    assert!(rest > 8, "{rest}");
+    let rest = (0..4).filter(|k| Three::settles(&mut random, 0.15 * f64::from(*k))).count();
+    assert!(rest > 2, "{rest}");
 }
 
 #[test]
