@@ -135,6 +135,7 @@ heap!(Three, 3, 9, 3);
 heap!(Four, 4, 12, 6);
 
 #[test]
+#[ignore = "a minute without optimisation: scripts/check.sh runs it"]
 fn three_discs_come_to_rest() {
     let mut random = Samples::new(41);
     let rest = (0..4).filter(|k| Three::settles(&mut random, 0.15 * f64::from(*k))).count();
@@ -142,7 +143,7 @@ fn three_discs_come_to_rest() {
 }
 
 #[test]
-#[ignore = "half a minute"]
+#[ignore = "half a minute: scripts/check.sh runs it"]
 fn four_discs_come_to_rest() {
     let mut random = Samples::new(43);
     let rest = (0..30).filter(|k| Four::settles(&mut random, 0.02 * f64::from(*k))).count();
