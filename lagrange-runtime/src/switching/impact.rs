@@ -19,6 +19,7 @@
 //! distance the energy is no larger than before.
 
 use super::known::Known;
+use super::pivoting::marked;
 use super::scales::Scales;
 use super::scene::{Scene, Status, above, entry, most, product, rounding};
 use super::trials::{FEW, Options, Part, changes, combinations, combine, thresholds};
@@ -169,7 +170,8 @@ where
             thresholds().into_iter().find_map(|part| {
                 self.turn_over(&parts, &options, FEW, |parts| {
                     let strike = self.impulses(parts, &options, demand, part)?;
-                    let (faults, impulses) = (self.faults_of(parts, &strike, demand, part), strike.impulses);
+                    let faults = marked(self.faults_of(parts, &strike, demand, part));
+                    let impulses = strike.impulses;
                     Some((strike, faults, impulses))
                 })
             })
@@ -209,8 +211,8 @@ where
         part: S::Scalar,
     ) -> Option<Result<Impulses<S::Scalar, N, C>, usize>> {
         let strike = self.impulses(parts, options, demand, part)?;
-        let faults = self.faults_of(parts, &strike, demand, part);
-        Some(faults.iter().position(|&is_one| is_one).map_or(Ok(strike), Err))
+        let fault = self.faults_of(parts, &strike, demand, part).next();
+        Some(fault.map_or(Ok(strike), Err))
     }
 
     /// The possible activities of a row in an impact, the one to be tried first at the beginning.
@@ -255,22 +257,22 @@ where
     }
 
     /// The rows where the demands of a combination do not agree with its consequences.
-    fn faults_of(
-        &self,
-        parts: &[Part; C],
-        strike: &Impulses<S::Scalar, N, C>,
-        demand: &Demand<S::Scalar, C>,
+    fn faults_of<'a>(
+        &'a self,
+        parts: &'a [Part; C],
+        strike: &'a Impulses<S::Scalar, N, C>,
+        demand: &'a Demand<S::Scalar, C>,
         part: S::Scalar,
-    ) -> [bool; C] {
+    ) -> impl Iterator<Item = usize> + 'a {
         let zero: S::Scalar = num_traits::Zero::zero();
         let mut sizes = [zero; N];
         self.load(&strike.impulses, &mut sizes);
         self.load(&demand.given, &mut sizes);
-        let scale = |row: usize| self.borne(row, &sizes);
         // A rule for what the laws of impact leave open, where it can be met.
         let slips = |row: usize| matches!(parts[row], Part::Forward | Part::Backward);
         let slides = !above(part, rounding()) && Self::slides(slips);
-        array(|row| {
+        (0..C).filter(move |&row| {
+            let scale = |row: usize| self.borne(row, &sizes);
             let before = entry(&self.laws.rows.rates, row);
             let change = self.along(row, &strike.changes);
             let after = before + change;

@@ -89,8 +89,7 @@ where
         self.turn_over(parts, options, turns, |parts| {
             let regime = regime(&S::ROWS, parts, options, &[false; C], self.kinks)?;
             let trial = self.trial(regime)?;
-            let mut faults = [false; C];
-            self.faults(parts, &trial, part, decided).for_each(|row| put(&mut faults, row, true));
+            let faults = marked(self.faults(parts, &trial, part, decided));
             Some((trial, faults, trial.multipliers))
         })
     }
@@ -141,7 +140,7 @@ where
                 if turn.is_power_of_two() || single.is_none() {
                     single = Some(parts);
                 }
-                (0..C).rev().filter(|&row| faults().any(|fault| fault == row)).any(change)
+                faults().rev().any(change)
             };
             if !has_changed {
                 return None;
@@ -179,4 +178,11 @@ where
 /// The activity of a row.
 fn entry_of<const C: usize>(parts: &[Part; C], row: usize) -> Part {
     parts.get(row).copied().unwrap_or(Part::Off)
+}
+
+/// Which rows are among these.
+pub(super) fn marked<const C: usize>(rows: impl Iterator<Item = usize>) -> [bool; C] {
+    let mut marked = [false; C];
+    rows.for_each(|row| put(&mut marked, row, true));
+    marked
 }

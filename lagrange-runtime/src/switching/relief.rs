@@ -40,8 +40,9 @@ where
 
     /// Whether a friction slips, in one of these ways, under a load that contacts determine.
     pub(super) fn slides(slips: impl Fn(usize) -> bool) -> bool {
-        S::ROWS.iter().enumerate().any(|(row, kind)| {
-            matches!(kind, Row::Friction { normal: Some(_), pair } if slips(pair.map_or(row, |other| row.min(other))))
+        S::ROWS.iter().enumerate().any(|(row, kind)| match kind {
+            Row::Friction { normal: Some(_), pair } => slips(pair.map_or(row, |other| row.min(other))),
+            _ => false,
         })
     }
 }

@@ -1,5 +1,5 @@
-//! Discs that fall on each other between two walls: many contacts close, slide and open at once, and in the end
-//! all rest.
+//! Discs that fall on each other between two walls: many contacts close, slide and open at once, and in the
+//! end all rest.
 
 use lagrangian::prelude::*;
 
@@ -93,8 +93,8 @@ macro_rules! heap {
 
         impl $name {
             /// Falls from random places above each other; energy is lost alone, nothing is penetrated, and in
-            /// the end nothing moves. Returns whether it has come to rest; not if discs that are wedged between
-            /// the walls could go on in several ways.
+            /// the end nothing moves. Returns whether it has come to rest; not if discs that are wedged
+            /// between the walls could go on in several ways.
             fn settles(random: &mut Samples, restitution: f64) -> bool {
                 let radii = [(); $discs].map(|()| random.number(0.1, 0.2));
                 let (roughness, width) = (random.number(0.0, 0.6), random.number(0.45, 0.7));

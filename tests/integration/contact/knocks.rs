@@ -1,5 +1,5 @@
-//! A ball that knocks against a tower of boxes: thirteen rows in one impact, of which frictions of one face share
-//! a slip.
+//! A ball that knocks against a tower of boxes: thirteen rows in one impact, of which frictions of one face
+//! share a slip.
 
 use lagrangian::prelude::*;
 

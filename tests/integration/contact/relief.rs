@@ -1,5 +1,5 @@
-//! A box that slides flat on four feet, one of which may be relieved: loads are those of equal stiff springs under
-//! the feet, nᵢ = max(0, a + b xᵢ + c yᵢ), and do not depend on the order of the feet.
+//! A box that slides flat on four feet, one of which may be relieved: loads are those of equal stiff springs
+//! under the feet, nᵢ = max(0, a + b xᵢ + c yᵢ), and do not depend on the order of the feet.
 
 use lagrangian::prelude::*;
 use nalgebra::Matrix3;
@@ -56,7 +56,8 @@ impl Crate {
     }
 }
 
-/// The loads of springs under feet at `places` whose friction points along `ways`: forces and moments balance.
+/// The loads of springs under feet at `places` whose friction points along `ways`: forces and moments
+/// balance.
 fn springs(height: f64, places: [[f64; 2]; 4], ways: [[f64; 2]; 4]) -> [f64; 4] {
     let plane = |set: usize| {
         let mut matrix = Matrix3::zeros();

@@ -59,13 +59,17 @@ fn second_conditions_assign_where_they_are_asked_for() {
     same!(|x, y, z| let mut n = z; if x > 0.0 && { n += 1.0; y > 0.0 } { n * 2.0 } else { n * y });
     same!(|x, y, z| let mut n = z; if x > 0.0 || { n += 1.0; y > 0.0 } { n * 2.0 } else { n * y });
     same!(|x, y, z| let mut n = z; if !(x > 0.0 && { n = x * y; y > n }) { n } else { n - 3.0 });
-    same!(|x, y, z| let mut n = z; if (x > 0.0 && { n += x; y > n }) || { n -= y; n > 0.5 } { n } else { n * x });
-    same!(|x, y, z| let mut n = 1.0; let mut hit = |a: f64| { n *= 2.0; a > 0.5 }; let is_hit = hit(x) || hit(y) || hit(z);
-        if is_hit { n } else { -n });
-    same!(|x, y, z| let mut n = [z, y]; let c = x < y && { n[0] = 2.0; if z < 0.0 { n[1] += x; } n[0] > n[1] };
+    same!(|x, y, z| let mut n = z;
+        if (x > 0.0 && { n += x; y > n }) || { n -= y; n > 0.5 } { n } else { n * x });
+    same!(|x, y, z| let mut n = 1.0; let mut hit = |a: f64| { n *= 2.0; a > 0.5 };
+        let is_hit = hit(x) || hit(y) || hit(z); if is_hit { n } else { -n });
+    same!(|x, y, z| let mut n = [z, y];
+        let c = x < y && { n[0] = 2.0; if z < 0.0 { n[1] += x; } n[0] > n[1] };
         if c { n[0] } else { n[1] + n[0] });
-    same!(|x, y, z| let mut s = 0.0; for a in [x, y, z] { if a > 0.0 && { s += a; s > 1.0 } { break; } s += 0.5; } s);
-    same!(|x, y, z| let mut s = z; if x < 0.0 && { s += 1.0; if y < 0.0 { return s; } s < 1.0 } { return 5.0; } s);
+    same!(|x, y, z| let mut s = 0.0;
+        for a in [x, y, z] { if a > 0.0 && { s += a; s > 1.0 } { break; } s += 0.5; } s);
+    same!(|x, y, z| let mut s = z;
+        if x < 0.0 && { s += 1.0; if y < 0.0 { return s; } s < 1.0 } { return 5.0; } s);
 }
 
 #[test]
