@@ -19,7 +19,7 @@
 //! distance the energy is no larger than before.
 
 use super::known::Known;
-use super::pivoting::marked;
+use super::pivoting::{entry_of, marked};
 use super::scales::Scales;
 use super::scene::{Scene, Status, above, entry, most, product, rounding};
 use super::trials::{FEW, Options, Part, changes, combinations, combine, thresholds};
@@ -269,7 +269,7 @@ where
         self.load(&strike.impulses, &mut sizes);
         self.load(&demand.given, &mut sizes);
         // A rule for what the laws of impact leave open, where it can be met.
-        let slips = |row: usize| matches!(parts[row], Part::Forward | Part::Backward);
+        let slips = |row: usize| matches!(entry_of(parts, row), Part::Forward | Part::Backward);
         let slides = !above(part, rounding()) && Self::slides(slips);
         (0..C).filter(move |&row| {
             let scale = |row: usize| self.borne(row, &sizes);
@@ -285,15 +285,16 @@ where
             // Rows that depend on each other may demand contradictory things.
             let wanted = self.wanted(row, &demand.restitution);
             let inexact = S::Scalar::epsilon().sqrt() * (wanted.abs() + change.abs() + speed + single);
-            if strike.active[row] && above((change - wanted).abs(), inexact) {
+            if strike.active.get(row) == Some(&true) && above((change - wanted).abs(), inexact) {
                 return true;
             }
-            let agrees = match (S::ROWS[row], parts[row]) {
+            let Some(&kind) = S::ROWS.get(row) else { return false };
+            let agrees = match (kind, entry_of(parts, row)) {
                 (Row::Bilateral, Part::Against) => !above(impulse, slack),
                 (Row::Bilateral, _) if super::choice::is_limit(&S::ROWS, row) => !above(-slack, impulse),
                 (Row::Unilateral, Part::On) => !above(-slack, impulse),
-                (Row::Unilateral, _) if self.is_closed[row] => {
-                    let meets = self.status[row] == Status::Meets;
+                (Row::Unilateral, _) if self.is_closed.get(row) == Some(&true) => {
+                    let meets = self.status.get(row) == Some(&Status::Meets);
                     let back = if meets { entry(&demand.restitution, row) * before } else { zero };
                     let is_relieved = || {
                         slides

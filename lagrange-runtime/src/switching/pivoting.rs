@@ -176,7 +176,7 @@ where
 }
 
 /// The activity of a row.
-fn entry_of<const C: usize>(parts: &[Part; C], row: usize) -> Part {
+pub(super) fn entry_of<const C: usize>(parts: &[Part; C], row: usize) -> Part {
     parts.get(row).copied().unwrap_or(Part::Off)
 }
 
