@@ -108,7 +108,8 @@ where
     }
 
     /// The regime among these options. Nothing is asked of a row that is decided. Contacts that have opened
-    /// at this time stay open where they can; `search` does not know of them.
+    /// at this time stay open where they can, and frictions that have let go slip; `search` does not know of
+    /// them.
     fn choose_among(
         &self,
         options: [Options; C],
@@ -116,7 +117,11 @@ where
         fired: Option<usize>,
     ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
         if self.opened.contains(&true) {
-            let open = array(|row| if self.opened[row] { Options::new(&[Part::Off]) } else { options[row] });
+            let open = array(|row| match (self.opened[row], S::ROWS[row]) {
+                (false, _) => options[row],
+                (true, Row::Friction { .. }) => options[row].without(Part::On),
+                (true, _) => Options::new(&[Part::Off]),
+            });
             if let Ok(choice) = self.search(open, decided, fired) {
                 return Ok(choice);
             }

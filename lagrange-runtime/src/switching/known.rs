@@ -10,8 +10,9 @@ pub(super) struct Known<const C: usize> {
     /// Rows whose rate or slip counts as zero whatever its rounding errors are: the rate of a gap only if the
     /// gap is zero.
     pub(super) rested: [bool; C],
-    /// Contacts that have opened at this time. They close again only where no other regime is possible:
-    /// without this, two regimes that rounding errors alone tell apart could follow each other without end.
+    /// Contacts that have opened at this time, and frictions that have let go. They close and stick again
+    /// only where no other regime is possible: without this, two regimes that rounding errors alone tell apart
+    /// could follow each other without end.
     pub(super) opened: [bool; C],
     /// Whether impacts are over: the closing velocities that are left are rounding errors.
     pub(super) settled: bool,

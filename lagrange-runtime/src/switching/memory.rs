@@ -53,7 +53,7 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) flips: [usize; W],
     /// Changes of the regime since then.
     pub(super) changes: usize,
-    /// Contacts that have opened since then, or since an impact.
+    /// Contacts that have opened since then, or since an impact, and frictions that have let go.
     pub(super) opened: [bool; C],
     /// The costs of the regimes before.
     pub(super) counts: Steps,

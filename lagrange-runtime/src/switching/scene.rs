@@ -82,7 +82,7 @@ where
     pub(super) status: [Status; C],
     /// Gaps that are zero.
     pub(super) is_closed: [bool; C],
-    /// Contacts that have opened at this time.
+    /// Contacts that have opened at this time, and frictions that have let go.
     pub(super) opened: [bool; C],
     /// Sizes of rates and slip velocities.
     pub(super) speeds: [S::Scalar; C],

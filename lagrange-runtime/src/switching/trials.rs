@@ -63,6 +63,15 @@ impl Options {
         options
     }
 
+    /// All but one, if another is left.
+    pub(super) fn without(mut self, part: Part) -> Self {
+        if self.count > 1 && self.has(part) {
+            self = self.with(part, false);
+            self.count -= 1;
+        }
+        self
+    }
+
     /// The one to be tried first.
     pub(super) fn first(&self) -> Part {
         self.parts[0]
