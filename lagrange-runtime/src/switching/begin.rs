@@ -3,7 +3,7 @@
 use super::kinks::{followed, sides};
 use super::known::Known;
 use super::run::Run;
-use super::scene::{Scene, above, entry, extent, most, put, rounding};
+use super::scene::{Scene, above, entry, extent, most, rounding};
 use super::sided::turn_ahead;
 use super::valid::valid;
 use super::{Coefficients, Laws, Regime, Row, Switching};
@@ -75,52 +75,6 @@ where
         counts.evaluations += 1;
         self.memory.is_fresh = false;
         Ok(())
-    }
-
-    /// Chooses the regime anew where a step has failed because contacts that are closed, or frictions that
-    /// stick, depend on each other. Contacts that bear only because the motion has landed here are opened,
-    /// unless the motion needs them. Otherwise a friction lets go: two rods in a straight line between two feet
-    /// that stick could carry any load there, and none beside it. Returns false, and leaves the regime, if the
-    /// step has failed for another `cause`, or if nothing can let go.
-    #[cold]
-    pub(super) fn lets_go(&mut self, cause: &Cause) -> Result<bool, Cause> {
-        let landed = core::mem::replace(&mut self.memory.landed, [false; C]);
-        let here = self.memory.end;
-        let Cause::Undetermined { constraint: weakest, .. } = *cause else { return Ok(false) };
-        let present = self.memory.regime;
-        if self.memory.start.t == here.t && landed.contains(&true) {
-            let active = array(|row| present.active[row] && !landed[row]);
-            let mut state = here;
-            let known = Known::new(present.active);
-            let regime =
-                self.settle(&mut state, Regime { active, ..present }, known, num_traits::Zero::zero())?;
-            self.go_on(regime, state);
-            return Ok(true);
-        }
-        // The weakest one first: it is one of those that depend on each other.
-        let order = core::iter::once(weakest).chain((0..C).filter(|&row| row != weakest));
-        let sticks = |row: &usize| {
-            let is_friction = match S::ROWS.get(*row) {
-                Some(Row::Friction { pair, .. }) => pair.is_none_or(|other| *row < other),
-                _ => false,
-            };
-            is_friction && present.active.get(*row) == Some(&true)
-        };
-        for row in order.filter(sticks) {
-            let opened = self.memory.opened;
-            put(&mut self.memory.opened, row, true);
-            let known = Known { opened: self.memory.opened, ..Known::new(present.active) };
-            let mut state = here;
-            let settled = self.settle(&mut state, present, known, num_traits::Zero::zero());
-            if let Ok(regime) = settled
-                && regime.active.get(row) != Some(&true)
-            {
-                self.go_on(regime, state);
-                return Ok(true);
-            }
-            self.memory.opened = opened;
-        }
-        Ok(false)
     }
 
     /// Goes on from the present state, or from one a little later, in a regime.

@@ -30,6 +30,7 @@ mod judging;
 mod kinks;
 mod known;
 mod launch;
+mod letting_go;
 mod limits;
 mod loose;
 mod margin;

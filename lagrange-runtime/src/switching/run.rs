@@ -60,7 +60,7 @@ where
 
     /// The regime and the state that follow a state: after its impact, projected onto the regime, moved by
     /// the delay of the time that is rounded, and a little later yet if a slip in two directions begins.
-    pub(super) fn settle(
+    pub(super) fn settle_once(
         &mut self,
         state: &mut State<S::Scalar, N>,
         mut present: Regime<S::Scalar, C, W>,
