@@ -32,7 +32,8 @@ where
     ) -> Result<Regime<S::Scalar, C, W>, Cause> {
         let begun = *state;
         let found = self.settle_once(state, present, known, late);
-        let Err(cause @ Cause::Undetermined { constraint, .. }) = found else { return found };
+        let Err(cause) = found else { return found };
+        let Some(constraint) = dependent(&cause) else { return Err(cause) };
         *state = begun;
         self.let_go(constraint, state, (present, known, late), |_| true).ok_or(cause)
     }
@@ -44,7 +45,7 @@ where
     #[cold]
     pub(super) fn lets_go(&mut self, cause: &Cause) -> Result<bool, Cause> {
         let landed = core::mem::replace(&mut self.memory.landed, [false; C]);
-        let Cause::Undetermined { constraint, .. } = *cause else { return Ok(false) };
+        let Some(constraint) = dependent(cause) else { return Ok(false) };
         let (mut state, mut present) = (self.memory.end, self.memory.regime);
         let (sticks, known) = (present.active, Known::new(present.active));
         let zero = num_traits::Zero::zero();
@@ -86,6 +87,14 @@ where
             }
         }
         None
+    }
+}
+
+/// The constraint that depends on others, if this is the cause of an error.
+fn dependent(cause: &Cause) -> Option<usize> {
+    match *cause {
+        Cause::Undetermined { constraint, .. } | Cause::Contradictory { constraint, .. } => Some(constraint),
+        _ => None,
     }
 }
 

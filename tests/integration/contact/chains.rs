@@ -1,0 +1,55 @@
+//! Chains of hinged rods that fall on a rough floor: their frictions cannot all stick beside the straight line.
+
+use lagrangian::prelude::*;
+
+use crate::support::sample::Samples;
+
+/// Balls of 1 kg in a row, of which neighbours are 1 m apart, by the place of the first ball and the angles of
+/// the rods.
+struct Chain {
+    friction: f64,
+    restitution: f64,
+}
+
+#[lagrangian(coordinates = [x, y, phi: [RODS]])]
+impl Chain {
+    const RODS: usize = 3;
+
+    #[point(mass = 1.0)]
+    fn balls(&self, q: &Coordinates) -> [Vector2<f64>; Self::RODS + 1] {
+        let mut place = Vector2::new(q.x, q.y);
+        let mut places = [place; Self::RODS + 1];
+        for i in 0..Self::RODS {
+            place += Vector2::new(q.phi[i].cos(), q.phi[i].sin());
+            places[i + 1] = place;
+        }
+        places
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..=Self::RODS {
+            sum += 9.81 * self.balls(q)[i].y;
+        }
+        sum
+    }
+
+    #[unilateral(restitution = self.restitution)]
+    fn heights(&self, q: &Coordinates) -> [f64; Self::RODS + 1] {
+        let mut gaps = [0.0; Self::RODS + 1];
+        for i in 0..=Self::RODS {
+            gaps[i] = self.balls(q)[i].y;
+        }
+        gaps
+    }
+
+    #[friction(coefficient = self.friction, normal = heights)]
+    fn slips(&self, q: &Coordinates, v: &Velocities) -> [f64; Self::RODS + 1] {
+        let mut slips = [0.0; Self::RODS + 1];
+        for i in 0..=Self::RODS {
+            slips[i] = self.balls_velocity(q, v)[i].x;
+        }
+        slips
+    }
+}
