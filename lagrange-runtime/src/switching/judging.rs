@@ -58,7 +58,8 @@ where
             };
             // Reactions have the rounding errors of the forces that they balance, and act on all that they
             // couple.
-            let inexact = most(part, S::Scalar::epsilon().sqrt()) * (play / part + prevented)
+            let known = if is_whole { most(part, S::Scalar::epsilon().sqrt()) } else { part };
+            let inexact = known * (play / part + prevented)
                 + rounding::<S::Scalar>() * self.extent_of(row, &levelled.accelerations);
             if is_active && above(rate.abs(), inexact) {
                 return false;
