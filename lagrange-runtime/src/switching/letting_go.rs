@@ -1,4 +1,4 @@
-//! Where contacts that are closed, or frictions that stick, depend on each other, one of them lets go.
+//! Where contacts that are closed, or frictions that stick, depend on each other, some of them let go.
 //!
 //! A regime is chosen by the accelerations of one state. There two rods in a straight line between two feet
 //! that stick carry any load, and a friction at rest can hold. Beside it, the feet cannot both stick: the
@@ -7,6 +7,7 @@
 use super::known::Known;
 use super::run::Run;
 use super::scene::put;
+use super::trials::FEW;
 use super::{Regime, Row, Switching};
 use crate::number::elements::array;
 use crate::number::real::Ordered;
@@ -21,7 +22,7 @@ where
     S::Scalar: Ordered,
     M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
 {
-    /// The regime and the state that follow a state, as [`Run::settle_once`] finds them. A friction lets go
+    /// The regime and the state that follow a state, as [`Run::settle_once`] finds them. Frictions let go
     /// where the state cannot be brought onto the constraints that are found.
     pub(super) fn settle(
         &mut self,
@@ -33,19 +34,23 @@ where
         let begun = *state;
         let found = self.settle_once(state, present, known, late);
         let Err(cause) = found else { return found };
-        let Some(constraint) = dependent(&cause) else { return Err(cause) };
+        if !is_dependence(&cause) {
+            return Err(cause);
+        }
         *state = begun;
-        self.let_go(constraint, state, (present, known, late), |_| true).ok_or(cause)
+        self.let_go(state, (present, known, late), |_| true).ok_or(cause)
     }
 
     /// Chooses the regime anew where a step has failed because constraints depend on each other. Contacts that
     /// bear only because the motion has landed here are opened, unless the motion needs them; if there are
-    /// none, a friction lets go that has stuck. Returns false, and leaves the regime, if the step has failed
+    /// none, frictions let go that have stuck. Returns false, and leaves the regime, if the step has failed
     /// for another `cause`, or if nothing can let go.
     #[cold]
     pub(super) fn lets_go(&mut self, cause: &Cause) -> Result<bool, Cause> {
         let landed = core::mem::replace(&mut self.memory.landed, [false; C]);
-        let Some(constraint) = dependent(cause) else { return Ok(false) };
+        if !is_dependence(cause) {
+            return Ok(false);
+        }
         let (mut state, mut present) = (self.memory.end, self.memory.regime);
         let (sticks, known) = (present.active, Known::new(present.active));
         let zero = num_traits::Zero::zero();
@@ -54,51 +59,89 @@ where
             present.active = array(|row| sticks[row] && !landed[row]);
             self.settle(&mut state, present, known, zero)?
         } else {
-            let may = |row: usize| sticks.get(row) == Some(&true);
-            let let_go = self.let_go(constraint, &mut state, (present, known, zero), may);
-            let Some(regime) = let_go else { return Ok(false) };
+            let may = |row: usize| has(&sticks, row);
+            let Some(regime) = self.let_go(&mut state, (present, known, zero), may) else { return Ok(false) };
             regime
         };
         self.go_on(regime, state);
         Ok(true)
     }
 
-    /// The regime and the state that follow where one of these frictions slips, the `weakest` row first: it is
-    /// one of those that depend on each other. `None`, and the state as it was, where each of them has to
-    /// stick, or nothing follows. Until time passes a friction that has let go slips wherever it can.
+    /// The regime and the state that follow where the next set of these frictions slips. `None`, and the state
+    /// as it was, if one of each set has to stick, or nothing follows. Until time passes, frictions that have
+    /// let go slip wherever they can.
+    ///
+    /// Accelerations do not tell which ones have to let go: where two of three that stick share a slip, one of
+    /// these two alone seems to slip, but goes nowhere. So a set that has not helped is followed by another,
+    /// in the order of binary numbers whose digits are the frictions.
     #[cold]
     #[allow(clippy::type_complexity)]
     fn let_go(
         &mut self,
-        weakest: usize,
         state: &mut State<S::Scalar, N>,
         (present, known, late): (Regime<S::Scalar, C, W>, Known<C>, S::Scalar),
         may: impl Fn(usize) -> bool,
     ) -> Option<Regime<S::Scalar, C, W>> {
         let begun = *state;
-        let rows = core::iter::once(weakest).chain((0..C).filter(|&row| row != weakest));
-        for row in rows.filter(|&row| is_friction(S::ROWS.get(row), row) && may(row)) {
-            let opened = self.memory.opened;
-            put(&mut self.memory.opened, row, true);
-            let known = Known { opened: self.memory.opened, ..known };
-            match self.settle_once(state, present, known, late) {
-                Ok(regime) if regime.active.get(row) == Some(&false) => return Some(regime),
-                _ => (*state, self.memory.opened) = (begun, opened),
+        let before = self.memory.opened;
+        let frictions = (0..C).filter(|&row| is_friction(S::ROWS.get(row), row));
+        let mut set = before;
+        for _ in 0..FEW {
+            next(&mut set, frictions.clone().filter(|&row| may(row) || has(&before, row)))?;
+            self.memory.opened = set;
+            match self.settle_once(state, present, Known { opened: set, ..known }, late) {
+                Ok(regime) if frictions.clone().all(|row| !(has(&set, row) && has(&regime.active, row))) => {
+                    return Some(regime);
+                }
+                _ => (*state, self.memory.opened) = (begun, before),
             }
         }
         None
     }
 }
 
-/// The constraint that depends on others, if this is the cause of an error.
-fn dependent(cause: &Cause) -> Option<usize> {
-    match *cause {
-        Cause::Undetermined { constraint, .. } | Cause::Contradictory { constraint, .. } => Some(constraint),
-        _ => None,
+/// The next set of these rows, in the order of binary numbers whose first digit is the first row. `None` after
+/// the last one.
+fn next<const C: usize>(set: &mut [bool; C], rows: impl Iterator<Item = usize>) -> Option<()> {
+    for row in rows {
+        let was_in = has(set, row);
+        put(set, row, !was_in);
+        if !was_in {
+            return Some(());
+        }
     }
+    None
+}
+
+fn has<const C: usize>(set: &[bool; C], row: usize) -> bool {
+    set.get(row) == Some(&true)
+}
+
+/// Whether constraints that depend on each other are the cause of an error.
+fn is_dependence(cause: &Cause) -> bool {
+    matches!(cause, Cause::Undetermined { .. } | Cause::Contradictory { .. })
 }
 
 /// Whether a row is a friction, the first of two that are one.
 fn is_friction(kind: Option<&Row>, row: usize) -> bool {
     matches!(kind, Some(Row::Friction { pair, .. }) if pair.is_none_or(|other| row < other))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_set_comes_once() {
+        let mut set = [false; 4];
+        let mut seen = [[false; 4]; 7];
+        for seen in &mut seen {
+            next(&mut set, [0, 2, 3].into_iter()).unwrap();
+            *seen = set;
+        }
+        assert_eq!(next(&mut set, [0, 2, 3].into_iter()), None);
+        assert_eq!(seen[0], [true, false, false, false]);
+        assert_eq!(seen[2], [true, false, true, false]);
+        assert!(seen.iter().enumerate().all(|(i, set)| !set[1] && !seen[..i].contains(set)));
+    }
 }
