@@ -93,11 +93,11 @@ where
         }
         let choice = self.choose_among(self.options(present, avoid, None), None, avoid)?;
         let Some(row) = avoid.filter(|_| choice.regime == *present) else { return Ok(choice) };
-        let Some(Row::Friction { pair, .. }) = S::ROWS.get(row) else { return Ok(choice) };
+        let Some(&Row::Friction { pair, normal }) = S::ROWS.get(row) else { return Ok(choice) };
         let is_stuck = present.active.get(row) == Some(&true);
         let mut others = Options::new(&[Part::On]);
         if is_stuck {
-            let is_forward = pair.is_some() || (-entry(&choice.multipliers, row)).is_positive();
+            let is_forward = pair.is_some() || self.is_pressed_forward(row, normal, &choice.multipliers);
             others = Options::new(&[if is_forward { Part::Forward } else { Part::Backward }]);
         } else if pair.is_some() {
             return Ok(choice);

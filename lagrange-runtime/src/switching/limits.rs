@@ -19,6 +19,21 @@ where
         normal.map_or(coefficient, |normal| coefficient * entry(multipliers, normal).abs())
     }
 
+    /// Whether the force of a friction that sticks is nearer to its limit against a slip in the positive
+    /// direction than to the other one.
+    pub(super) fn is_pressed_forward(
+        &self,
+        row: usize,
+        normal: Option<usize>,
+        multipliers: &[S::Scalar; C],
+    ) -> bool {
+        let load = normal.map_or(num_traits::One::one(), |normal| entry(multipliers, normal).abs());
+        let [forward, backward] = &self.coefficients;
+        let (forward, backward) = (entry(&forward.fixed, row) * load, entry(&backward.fixed, row) * load);
+        let force = entry(multipliers, row);
+        above(backward - force, forward + force)
+    }
+
     /// Whether a friction has a limit of zero in both directions that does not change in the regime. It can
     /// hold nothing, so that its slip decides about nothing.
     pub(super) fn is_frictionless(&self, row: usize) -> bool {
