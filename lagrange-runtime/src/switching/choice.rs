@@ -97,7 +97,7 @@ where
         let is_stuck = present.active.get(row) == Some(&true);
         let mut others = Options::new(&[Part::On]);
         if is_stuck {
-            let is_forward = pair.is_some() || self.is_pressed_forward(row, normal, &choice.multipliers);
+            let is_forward = pair.is_some() || self.nearer(row, normal, &choice.multipliers).is_positive();
             others = Options::new(&[if is_forward { Part::Forward } else { Part::Backward }]);
         } else if pair.is_some() {
             return Ok(choice);

@@ -19,19 +19,20 @@ where
         normal.map_or(coefficient, |normal| coefficient * entry(multipliers, normal).abs())
     }
 
-    /// Whether the force of a friction that sticks is nearer to its limit against a slip in the positive
-    /// direction than to the other one.
-    pub(super) fn is_pressed_forward(
+    /// The direction, 1 or −1, in which a friction that sticks is nearer to slipping: what presses it there comes
+    /// nearer to its limit.
+    pub(super) fn nearer(
         &self,
         row: usize,
         normal: Option<usize>,
         multipliers: &[S::Scalar; C],
-    ) -> bool {
-        let load = normal.map_or(num_traits::One::one(), |normal| entry(multipliers, normal).abs());
+    ) -> S::Scalar {
+        let one: S::Scalar = num_traits::One::one();
+        let load = normal.map_or(one, |normal| entry(multipliers, normal).abs());
         let [forward, backward] = &self.coefficients;
         let (forward, backward) = (entry(&forward.fixed, row) * load, entry(&backward.fixed, row) * load);
         let force = entry(multipliers, row);
-        above(backward - force, forward + force)
+        if above(backward - force, forward + force) { one } else { -one }
     }
 
     /// Whether a friction has a limit of zero in both directions that does not change in the regime. It can
@@ -146,19 +147,18 @@ where
         let stuck = self.trial(*present)?;
         let parts = array(|row| S::ROWS.get(row).map_or(Part::Off, |&kind| Part::of(row, kind, present)));
         self.judge(&parts, &stuck, rounding(), None).ok()?;
-        let against = -entry(&stuck.multipliers, row);
-        let limit = self.limit(row, *normal, &stuck.multipliers);
-        if above(limit - against.abs(), S::Scalar::epsilon().sqrt() * limit) {
+        let way = self.nearer(row, *normal, &stuck.multipliers);
+        let Coefficients { kinetic, fixed } = self.against(way);
+        let load = normal.map_or(num_traits::One::one(), |normal| entry(&stuck.multipliers, normal).abs());
+        let (limit, pressing) = (entry(fixed, row) * load, -way * entry(&stuck.multipliers, row));
+        if above(limit - pressing, S::Scalar::epsilon().sqrt() * limit)
+            || entry(kinetic, row) != entry(fixed, row)
+        {
             return None;
         }
-        let Coefficients { kinetic, fixed } = self.against(against);
-        if entry(kinetic, row) != entry(fixed, row) {
-            return None;
-        }
-        let one: S::Scalar = num_traits::One::one();
         let mut regime = *present;
         put(&mut regime.active, row, false);
-        put(&mut regime.slip, row, if against.is_positive() { one } else { -one });
+        put(&mut regime.slip, row, way);
         self.trial(regime)
     }
 }

@@ -158,7 +158,8 @@ where
         let rows = &self.laws.rows;
         let gap = most(scales.gaps[row], rows.position_sizes[row]);
         let is_zero = !above(rows.positions[row], rounding::<S::Scalar>() * gap + self.by_time(row));
-        S::ROWS[row] == Row::Unilateral && (known.fired == Some(row) || known.closed[row] || is_zero && !known.settled)
+        S::ROWS[row] == Row::Unilateral
+            && (known.fired == Some(row) || known.closed[row] || is_zero && !known.settled)
     }
 
     /// The change of a gap by the rounding errors of time.
