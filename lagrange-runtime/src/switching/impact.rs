@@ -133,7 +133,7 @@ where
             _ => zero,
         });
         let v = array(|i| self.state.v[i] + compression.changes[i]);
-        let known = Known::settled(self.is_closed);
+        let known = Known::struck(self.is_closed);
         let scales = Scales { speeds: self.speeds, ..Scales::new() };
         let state = State { v, ..self.state };
         let between = Scene::new(self.system, &state, self.inputs, self.kinks, &scales, &known);
@@ -161,8 +161,10 @@ where
         above(gained, rounding::<S::Scalar>() * size)
     }
 
-    /// The impulses of the first combination that agrees with the laws of impact and this demand. Fails with
-    /// `NoReaction` where none agrees, with `NotFinite` where none has a solution.
+    /// The impulses of the first combination that agrees with the laws of impact and this demand. Several
+    /// frictions can wedge a body between contacts, by impulses that bear each other and that nothing limits.
+    /// So of the combinations of several frictions the one with the [shortest](Self::length) impulses is taken.
+    /// Fails with `NoReaction` where none agrees, with `NotFinite` where none has a solution.
     fn strike(&self, demand: &Demand<S::Scalar, C>) -> Result<Impulses<S::Scalar, N, C>, Cause> {
         let options: [Options; C] = array(|row| self.ways(row));
         let by_sweeps = || {
@@ -181,24 +183,46 @@ where
         if are_many && let Some(found) = by_sweeps() {
             return Ok(found);
         }
+        let several = options.iter().zip(&S::ROWS).filter(|(options, row)| {
+            matches!(row, Row::Friction { .. }) && options.has(Part::On) && options.has(Part::Forward)
+        });
+        let may_wedge = !are_many && several.count() > 1;
         let mut cause = Cause::NotFinite;
         for part in thresholds() {
-            let mut found = None;
+            let mut found: Option<Impulses<S::Scalar, N, C>> = None;
             combine(&options, &changes(&S::ROWS), |parts| {
                 match self.agreed(parts, &options, demand, part) {
-                    Some(Ok(strike)) => found = Some(strike),
+                    Some(Ok(strike)) => {
+                        let is_shorter = |other: &Impulses<S::Scalar, N, C>| {
+                            let (own, other) = (self.length(&strike.impulses), self.length(&other.impulses));
+                            above(other, own + part * own)
+                        };
+                        if found.as_ref().is_none_or(is_shorter) {
+                            found = Some(strike);
+                        }
+                    }
                     Some(Err(constraint)) if cause == Cause::NotFinite => {
                         cause = Cause::NoReaction { constraint, name: S::NAMES.constraint(constraint) };
                     }
                     Some(Err(_)) | None => {}
                 }
-                found.is_some()
+                found.is_some() && !may_wedge
             });
             if let Some(found) = found {
                 return Ok(found);
             }
         }
         if are_many { Err(cause) } else { by_sweeps().ok_or(cause) }
+    }
+
+    /// The sum of the speeds, in the metric of the kinetic energy, that each impulse gives by itself.
+    fn length(&self, impulses: &[S::Scalar; C]) -> S::Scalar {
+        let mut sum = num_traits::Zero::zero();
+        for (gradient, impulse) in self.gradients.iter().zip(impulses) {
+            let by_unit: [S::Scalar; N] = array(|i| entry(gradient, i) * entry(&self.units, i));
+            sum += impulse.abs() * product(&by_unit, &by_unit).sqrt();
+        }
+        sum
     }
 
     /// The impulses of a combination if they agree with its demands; if not, the row where they do not.

@@ -5,6 +5,9 @@
 pub(super) struct Known<const C: usize> {
     /// Gaps that count as zero whatever their rounding errors are.
     pub(super) closed: [bool; C],
+    /// Whether no other gap is zero. What rounding errors of time change in a gap depends on its rate, and an
+    /// impact changes that: a gap that closes faster after it strikes later.
+    pub(super) only: bool,
     /// The row whose guard has led here: its gap or its slip velocity is zero.
     pub(super) fired: Option<usize>,
     /// Rows whose rate or slip counts as zero whatever its rounding errors are: the rate of a gap only if the
@@ -21,11 +24,16 @@ pub(super) struct Known<const C: usize> {
 impl<const C: usize> Known<C> {
     /// These gaps are zero.
     pub(super) fn new(closed: [bool; C]) -> Self {
-        Self { closed, fired: None, rested: [false; C], opened: [false; C], settled: false }
+        Self { closed, only: false, fired: None, rested: [false; C], opened: [false; C], settled: false }
     }
 
     /// These gaps are zero, and impacts are over.
     pub(super) fn settled(closed: [bool; C]) -> Self {
         Self { settled: true, ..Self::new(closed) }
+    }
+
+    /// These gaps are zero and no others, and impacts are over.
+    pub(super) fn struck(closed: [bool; C]) -> Self {
+        Self { only: true, ..Self::settled(closed) }
     }
 }

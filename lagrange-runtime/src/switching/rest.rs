@@ -220,7 +220,7 @@ where
         scales: &Scales<S::Scalar, C>,
         tolerance: S::Scalar,
     ) -> Option<[bool; C]> {
-        let (state, known) = (State { v: *v, ..self.state }, Known::settled(self.is_closed));
+        let (state, known) = (State { v: *v, ..self.state }, Known::struck(self.is_closed));
         let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
         let open = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
         let choice = scene.choose(&scene.touching(&open), None).ok()?;
@@ -307,7 +307,7 @@ where
         let equations = S::equations_in(&self.system.in_regime(&closed), *t, q, v, self.inputs)?;
         let (change, impulses) = equations.saddle.solve(&[zero; N], &wanted);
         let v = array(|i| v[i] + change[i]);
-        let known = Known { rested: holds, ..Known::settled(self.is_closed) };
+        let known = Known { rested: holds, ..Known::struck(self.is_closed) };
         let state = State { v, ..self.state };
         let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
         let choice = scene.choose(&closed, None).ok()?;

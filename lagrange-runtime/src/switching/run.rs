@@ -87,7 +87,7 @@ where
                     scene.collide(&present.active, known.fired, scales, self.limits.relative)?;
                 let rested = scene.stopped(&state.v, impulses);
                 present.kinks = jumped(self.system, state, inputs, &present.kinks);
-                known = Known { rested, ..Known::settled(scene.is_closed) };
+                known = Known { rested, ..Known::struck(scene.is_closed) };
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &later;
             }
@@ -107,7 +107,7 @@ where
                 state.v = v;
                 *impulses = all;
                 present.kinks = jumped(self.system, state, inputs, &present.kinks);
-                (known.closed, known.settled) = (scene.is_closed, true);
+                known = Known { closed: scene.is_closed, settled: true, only: true, ..known };
                 last = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &last;
                 (choice, grown) = (scene.choose(&scene.touching(&from), None)?, None);

@@ -152,14 +152,13 @@ where
         scene
     }
 
-    /// Whether a row is a gap of zero, up to its own rounding errors and the effect of those of time. Where
-    /// impacts are over it is known which ones are: one that closes now, faster than before, strikes later.
+    /// Whether a row is a gap of zero, up to its own rounding errors and the effect of those of time.
     fn closes(&self, row: usize, scales: &Scales<S::Scalar, C>, known: &Known<C>) -> bool {
         let rows = &self.laws.rows;
         let gap = most(scales.gaps[row], rows.position_sizes[row]);
         let is_zero = !above(rows.positions[row], rounding::<S::Scalar>() * gap + self.by_time(row));
         S::ROWS[row] == Row::Unilateral
-            && (known.fired == Some(row) || known.closed[row] || is_zero && !known.settled)
+            && (known.fired == Some(row) || known.closed[row] || is_zero && !known.only)
     }
 
     /// The change of a gap by the rounding errors of time.

@@ -2,6 +2,7 @@
 
 use lagrangian::prelude::*;
 
+use crate::support::close::{between, close_on};
 use crate::support::sample::Samples;
 
 /// Balls of 1 kg in a row, of which neighbours are 1 m apart, by the place of the first ball and the angles of
@@ -51,5 +52,29 @@ impl Chain {
             slips[i] = self.balls_velocity(q, v)[i].x;
         }
         slips
+    }
+}
+
+#[test]
+fn chains_fall_flat_and_rest() {
+    for number in 0..24 {
+        let mut samples = Samples::new(number);
+        let chain = Chain { friction: samples.number(0.3, 0.9), restitution: samples.number(0.0, 0.4) };
+        let [a, b, c, x, da, db, dc] =
+            [0.4, 0.4, 0.4, 0.5, 0.5, 0.5, 0.5].map(|most| samples.number(-most, most));
+        let start = State::new([0.0, 1.5, a, b, c], [x, 0.0, da, db, dc]);
+        let mut motion = chain.simulate(start).with_tolerance(1e-9);
+        let mut energy = chain.energy(&start);
+        for step in 1..=32 {
+            let state = *motion.advance_to(0.125 * f64::from(step)).unwrap();
+            let now = chain.energy(&state);
+            assert!(now < energy + 1e-8, "{state:?}");
+            energy = now;
+        }
+        // Flat, at rest, with its weight on all four balls together.
+        assert_eq!(motion.state().v, [0.0; 5]);
+        between(-1e-8, energy, 1e-8);
+        let bears: f64 = motion.reactions().heights.iter().sum();
+        close_on(4.0 * 9.81, bears, 4.0 * 9.81, 1e-9);
     }
 }

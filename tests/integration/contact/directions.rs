@@ -267,3 +267,51 @@ fn scales_take_other_impulses_one_way_than_the_other() {
     let mut motion = Scales.simulate(State::at_rest([0.0, 0.0])).with_tolerance(TIGHT);
     close(motion.advance_to(2.0).unwrap().v[0], 2.0, 1e-13);
 }
+
+/// A clutch that runs freely in one direction: no force there, 50 N in the other one.
+struct OneWay {
+    free: f64,
+    push: f64,
+    rate: f64,
+    load: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl OneWay {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.x * v.x
+    }
+
+    #[force(on = x)]
+    fn push(&self, t: f64) -> f64 {
+        self.push * (self.rate * t).sin() + self.load
+    }
+
+    #[friction(limit = grip)]
+    fn clutch(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+
+    fn grip(&self, v: &Velocities) -> f64 {
+        if v.x < 0.0 { 50.0 } else { self.free }
+    }
+}
+
+/// A load that passes zero does not show yet which way the clutch goes: a limit of nothing is reached at once.
+#[test]
+fn a_clutch_without_drag_runs_as_one_with_hardly_any() {
+    for number in 0..40 {
+        let part = f64::from(number) / 40.0;
+        let load = if number % 3 == 0 { 0.0 } else { part - 0.5 };
+        let ends = [0.0, 1e-12].map(|free| {
+            let clutch = OneWay { free, push: 0.3 + part, rate: 0.5 + 2.0 * (7.0 * part).fract(), load };
+            clutch.simulate(State::at_rest([0.0])).advance_to(6.0).unwrap().q[0]
+        });
+        close(ends[0], ends[1], 1e-9);
+    }
+    let clutch = OneWay { free: 0.0, push: 1.0, rate: 3.0, load: 0.0 };
+    let end = clutch.simulate(State::at_rest([0.0])).advance_to(6.0).unwrap().q[0];
+    // It stands while the velocity would turn: each period adds ∫ (1 − cos 3t) / 3 dt.
+    close(end, 2.0 - 18.0_f64.sin() / 9.0, 1e-9);
+}

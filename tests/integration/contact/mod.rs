@@ -6,6 +6,7 @@ mod belts;
 mod bounces;
 mod bowls;
 mod breakaway;
+mod chains;
 mod changing_coefficients;
 mod coincident;
 mod corners;
@@ -46,6 +47,7 @@ mod steps_of_floors;
 mod stribeck;
 mod tables;
 mod three_points;
+mod wedges;
 mod woodpecker;
 mod zero_loads;
 
