@@ -26,7 +26,7 @@ where
     let open = Regime::<S::Scalar, C, W>::open(&S::ROWS);
     let kinks = sides(&laws.kinks, &open.kinks, &laws.kink_sizes);
     let state = State { t, q: *q, v: *v };
-    let known = Known::settled([false; C]);
+    let known = Known::alone();
     let scene = Scene::new(system, &state, u, kinks, &Scales::new(), &known);
     // As where a motion begins there, a body bears on all its feet.
     let choice = scene.choose(&scene.touching(&open), None).ok()?;

@@ -8,6 +8,8 @@ pub(super) struct Known<const C: usize> {
     /// Whether no other gap is zero. What rounding errors of time change in a gap depends on its rate, and an
     /// impact changes that: a gap that closes faster after it strikes later.
     pub(super) only: bool,
+    /// Whether no motion leads here.
+    pub(super) alone: bool,
     /// The row whose guard has led here: its gap or its slip velocity is zero.
     pub(super) fired: Option<usize>,
     /// Rows whose rate or slip counts as zero whatever its rounding errors are: the rate of a gap only if the
@@ -24,12 +26,25 @@ pub(super) struct Known<const C: usize> {
 impl<const C: usize> Known<C> {
     /// These gaps are zero.
     pub(super) fn new(closed: [bool; C]) -> Self {
-        Self { closed, only: false, fired: None, rested: [false; C], opened: [false; C], settled: false }
+        Self {
+            closed,
+            only: false,
+            alone: false,
+            fired: None,
+            rested: [false; C],
+            opened: [false; C],
+            settled: false,
+        }
     }
 
     /// These gaps are zero, and impacts are over.
     pub(super) fn settled(closed: [bool; C]) -> Self {
         Self { settled: true, ..Self::new(closed) }
+    }
+
+    /// Nothing is known but the state: velocities that close a gap of zero are rounding errors.
+    pub(super) fn alone() -> Self {
+        Self { alone: true, ..Self::settled([false; C]) }
     }
 
     /// These gaps are zero and no others, and impacts are over.

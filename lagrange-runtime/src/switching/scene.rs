@@ -111,11 +111,11 @@ where
         let State { t, q, v } = *state;
         let laws = laws_on(system, state, inputs, &kinks);
         let (mut gradients, mut gamma) = ([[num_traits::Zero::zero(); N]; C], [num_traits::Zero::zero(); C]);
-        let mut units = [num_traits::Zero::zero(); N];
+        let [mut units, mut forces] = [[num_traits::Zero::zero(); N]; 2];
         let all = Regime { active: [true; C], kinks, ..Regime::open(&S::ROWS) };
         let in_regime = system.in_regime(&all);
         if let Some(rows) = S::rows_in(&in_regime, t, &q, &v, inputs) {
-            (gradients, gamma, units) = (rows.gradients, rows.gamma, rows.units);
+            (gradients, gamma, units, forces) = (rows.gradients, rows.gamma, rows.units, rows.forces);
         }
         let speeds = array(|row| most(scales.speeds[row], laws.rows.rate_sizes[row]));
         let mut scene = Self {
@@ -135,7 +135,8 @@ where
             units,
         };
         for row in 0..C {
-            scene.is_closed[row] = scene.closes(row, scales, known);
+            let play = if known.alone { scene.play(row, &forces) } else { num_traits::Zero::zero() };
+            scene.is_closed[row] = scene.closes(row, scales, known, play);
             scene.status[row] = scene.status_of(row, known);
         }
         // Friction acts only in a contact that touches, and only if its limit is not zero in all of the
@@ -152,13 +153,24 @@ where
         scene
     }
 
-    /// Whether a row is a gap of zero, up to its own rounding errors and the effect of those of time.
-    fn closes(&self, row: usize, scales: &Scales<S::Scalar, C>, known: &Known<C>) -> bool {
+    /// Whether a row is a gap of zero, up to its own rounding errors, the effect of those of time and some `play`.
+    fn closes(&self, row: usize, scales: &Scales<S::Scalar, C>, known: &Known<C>, play: S::Scalar) -> bool {
         let rows = &self.laws.rows;
         let gap = most(scales.gaps[row], rows.position_sizes[row]);
-        let is_zero = !above(rows.positions[row], rounding::<S::Scalar>() * gap + self.by_time(row));
+        let is_zero = !above(rows.positions[row], rounding::<S::Scalar>() * gap + self.by_time(row) + play);
         S::ROWS[row] == Row::Unilateral
             && (known.fired == Some(row) || known.closed[row] || is_zero && !known.only)
+    }
+
+    /// The gap that counts as zero at a state alone, where no motion has shown how large gaps are: the effect of
+    /// rounding errors of the largest coordinate, and the way that forces close within a time that rounding
+    /// hides.
+    fn play(&self, row: usize, forces: &[S::Scalar; N]) -> S::Scalar {
+        let largest =
+            self.state.q.iter().fold(num_traits::Zero::zero(), |largest, &q| most(largest, q.abs()));
+        let (hidden, half) = (self.hidden(), S::Scalar::from_f64(0.5));
+        let fall = half * hidden * hidden * self.effect(row, &array(|i| forces[i].abs()));
+        rounding::<S::Scalar>() * self.extent_of(row, &[largest; N]) + fall
     }
 
     /// The change of a gap by the rounding errors of time.
