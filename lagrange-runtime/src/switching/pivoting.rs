@@ -12,7 +12,7 @@
 //! other combination.
 
 use super::choice::{Choice, is_limit};
-use super::scene::{Scene, entry, put};
+use super::scene::{Scene, above, entry, put};
 use super::trials::{COMBINATIONS, FEW, Options, Part, regime, thresholds};
 use super::{Row, Switching};
 use crate::number::elements::Each;
@@ -90,8 +90,23 @@ where
             let regime = regime(&S::ROWS, parts, options, &[false; C], self.kinks)?;
             let trial = self.trial(regime)?;
             let faults = marked(self.faults(parts, &trial, part, decided));
-            Some((trial, faults, trial.multipliers))
+            Some((trial, faults, self.presses(&trial)))
         })
+    }
+
+    /// The multipliers of a trial. Where a friction in one direction sticks within its limit, but contradicts
+    /// others that stick, its row tells which way it goes, and not its force.
+    fn presses(&self, trial: &Choice<S::Scalar, N, C, W>) -> [S::Scalar; C] {
+        let mut presses = trial.multipliers;
+        for (row, (press, &kind)) in presses.iter_mut().zip(&S::ROWS).enumerate() {
+            if let Row::Friction { normal, pair: None } = kind
+                && trial.regime.active.get(row) == Some(&true)
+                && !above(press.abs(), self.limit(row, normal, &trial.multipliers))
+            {
+                *press = -self.rate(row, &trial.accelerations);
+            }
+        }
+        presses
     }
 
     /// What agrees with its consequences after rows that do not have changed in turn, from these activities
