@@ -162,9 +162,10 @@ where
     }
 
     /// The impulses of the first combination that agrees with the laws of impact and this demand. Several
-    /// frictions can wedge a body between contacts, by impulses that bear each other and that nothing limits.
-    /// So of the combinations of several frictions the one with the [shortest](Self::length) impulses is taken.
-    /// Fails with `NoReaction` where none agrees, with `NotFinite` where none has a solution.
+    /// frictions can wedge a body between contacts, by impulses that bear each other and that nothing
+    /// limits. So of the combinations of several frictions the one with the [shortest](Self::length)
+    /// impulses is taken. Fails with `NoReaction` where none agrees, with `NotFinite` where none has a
+    /// solution.
     fn strike(&self, demand: &Demand<S::Scalar, C>) -> Result<Impulses<S::Scalar, N, C>, Cause> {
         let options: [Options; C] = array(|row| self.ways(row));
         let by_sweeps = || {

@@ -57,7 +57,8 @@ where
                 _ => zero,
             };
             // Reactions have the rounding errors of the forces that they balance, and act on all that they
-            // couple.
+            // couple. Errors of a state that is not quite on its constraints count only where no regime is
+            // free of contradictions beyond that.
             let known = if is_whole { most(part, S::Scalar::epsilon().sqrt()) } else { part };
             let inexact = known * (play / part + prevented)
                 + rounding::<S::Scalar>() * self.extent_of(row, &levelled.accelerations);

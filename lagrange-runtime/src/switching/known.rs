@@ -16,8 +16,8 @@ pub(super) struct Known<const C: usize> {
     /// gap is zero.
     pub(super) rested: [bool; C],
     /// Contacts that have opened at this time, and frictions that have let go. They close and stick again
-    /// only where no other regime is possible: without this, two regimes that rounding errors alone tell apart
-    /// could follow each other without end.
+    /// only where no other regime is possible: without this, two regimes that rounding errors alone tell
+    /// apart could follow each other without end.
     pub(super) opened: [bool; C],
     /// Whether impacts are over: the closing velocities that are left are rounding errors.
     pub(super) settled: bool,

@@ -41,10 +41,10 @@ where
         self.let_go(state, (present, known, late), |_| true).ok_or(cause)
     }
 
-    /// Chooses the regime anew where a step has failed because constraints depend on each other. Contacts that
-    /// bear only because the motion has landed here are opened, unless the motion needs them; if there are
-    /// none, frictions let go that have stuck. Returns false, and leaves the regime, if the step has failed
-    /// for another `cause`, or if nothing can let go.
+    /// Chooses the regime anew where a step has failed because constraints depend on each other. Contacts
+    /// that bear only because the motion has landed here are opened, unless the motion needs them; if there
+    /// are none, frictions let go that have stuck. Returns false, and leaves the regime, if the step has
+    /// failed for another `cause`, or if nothing can let go.
     #[cold]
     pub(super) fn lets_go(&mut self, cause: &Cause) -> Result<bool, Cause> {
         let landed = core::mem::replace(&mut self.memory.landed, [false; C]);
@@ -71,9 +71,9 @@ where
     /// as it was, if one of each set has to stick, or nothing follows. Until time passes, frictions that have
     /// let go slip wherever they can.
     ///
-    /// Accelerations do not tell which ones have to let go: where two of three that stick share a slip, one of
-    /// these two alone seems to slip, but goes nowhere. So a set that has not helped is followed by another,
-    /// in the order of binary numbers whose digits are the frictions.
+    /// Accelerations do not tell which ones have to let go: where two of three that stick share a slip, one
+    /// of these two alone seems to slip, but goes nowhere. So a set that has not helped is followed by
+    /// another, in the order of binary numbers whose digits are the frictions.
     #[cold]
     #[allow(clippy::type_complexity)]
     fn let_go(

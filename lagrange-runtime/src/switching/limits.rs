@@ -19,8 +19,8 @@ where
         normal.map_or(coefficient, |normal| coefficient * entry(multipliers, normal).abs())
     }
 
-    /// The direction, 1 or −1, in which a friction that sticks is nearer to slipping: what presses it there comes
-    /// nearer to its limit.
+    /// The direction, 1 or −1, in which a friction that sticks is nearer to slipping: what presses it there
+    /// comes nearer to its limit.
     pub(super) fn nearer(
         &self,
         row: usize,

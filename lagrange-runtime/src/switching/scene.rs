@@ -153,7 +153,8 @@ where
         scene
     }
 
-    /// Whether a row is a gap of zero, up to its own rounding errors, the effect of those of time and some `play`.
+    /// Whether a row is a gap of zero, up to its own rounding errors, the effect of those of time and some
+    /// `play`.
     fn closes(&self, row: usize, scales: &Scales<S::Scalar, C>, known: &Known<C>, play: S::Scalar) -> bool {
         let rows = &self.laws.rows;
         let gap = most(scales.gaps[row], rows.position_sizes[row]);
@@ -162,15 +163,15 @@ where
             && (known.fired == Some(row) || known.closed[row] || is_zero && !known.only)
     }
 
-    /// The gap that counts as zero at a state alone, where no motion has shown how large gaps are: the effect of
-    /// rounding errors of the largest coordinate, and the way that forces close within a time that rounding
-    /// hides.
+    /// The gap that counts as zero at a state alone, where no motion has shown how large gaps are: the effect
+    /// of a rounding error of the largest coordinate, and the way that forces close within a time that
+    /// rounding hides.
     fn play(&self, row: usize, forces: &[S::Scalar; N]) -> S::Scalar {
         let largest =
             self.state.q.iter().fold(num_traits::Zero::zero(), |largest, &q| most(largest, q.abs()));
         let (hidden, half) = (self.hidden(), S::Scalar::from_f64(0.5));
         let fall = half * hidden * hidden * self.effect(row, &array(|i| forces[i].abs()));
-        rounding::<S::Scalar>() * self.extent_of(row, &[largest; N]) + fall
+        S::Scalar::epsilon() * self.extent_of(row, &[largest; N]) + fall
     }
 
     /// The change of a gap by the rounding errors of time.
