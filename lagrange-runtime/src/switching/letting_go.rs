@@ -67,9 +67,9 @@ where
         Ok(true)
     }
 
-    /// The regime and the state that follow where the next set of these frictions slips. `None`, and the state
-    /// as it was, if one of each set has to stick, or nothing follows. Until time passes, frictions that have
-    /// let go slip wherever they can.
+    /// The regime and the state that follow where the next set of these frictions slips. `None`, and the
+    /// state as it was, if one of each set has to stick, or nothing follows. Until time passes, frictions
+    /// that have let go slip wherever they can.
     ///
     /// Accelerations do not tell which ones have to let go: where two of three that stick share a slip, one
     /// of these two alone seems to slip, but goes nowhere. So a set that has not helped is followed by
