@@ -100,8 +100,8 @@ where
     }
 }
 
-/// The next set of these rows, in the order of binary numbers whose first digit is the first row. `None` after
-/// the last one.
+/// The next set of these rows, in the order of binary numbers whose first digit is the first row. `None`
+/// after the last one.
 fn next<const C: usize>(set: &mut [bool; C], rows: impl Iterator<Item = usize>) -> Option<()> {
     for row in rows {
         let was_in = has(set, row);
