@@ -159,7 +159,7 @@ impl fmt::Display for Cause {
             ),
             Self::StepTooSmall => out.write_str(
                 "the step fell below the resolution of time: the motion is singular here or too stiff, \
-                 or the tolerance is too tight for this scalar",
+                 the tolerance is too tight for this scalar, or the time is too far from zero",
             ),
             Self::ToleranceTooFine { reachable } => write!(
                 out,
