@@ -288,3 +288,70 @@ fn pull(direction: f64) {
 fn crates_let_go_in_all_directions() {
     (-19..20).for_each(|number| pull(0.157 * f64::from(number)));
 }
+
+/// A body on three feet, on a slope in whatever direction.
+struct Tripod {
+    feet: [Vector2<f64>; 3],
+    friction: f64,
+    weight: Vector3<f64>,
+}
+
+#[lagrangian(coordinates = [hull: Pose])]
+impl Tripod {
+    #[body(mass = 2.0, inertia = [0.2, 0.3, 0.4])]
+    fn hull(&self, q: &Coordinates) -> Isometry3<f64> {
+        q.hull
+    }
+
+    #[potential]
+    fn potential(&self, q: &Coordinates) -> f64 {
+        -2.0 * self.weight.dot(&q.hull.translation.vector)
+    }
+
+    fn tips(&self, q: &Coordinates) -> [Vector3<f64>; 3] {
+        let feet: [Vector2<f64>; 3] = self.feet;
+        feet.map(|foot| (q.hull * Point3::new(foot.x, foot.y, -0.2)).coords)
+    }
+
+    #[unilateral]
+    fn gaps(&self, q: &Coordinates) -> [f64; 3] {
+        self.tips(q).map(|tip| tip.z)
+    }
+
+    #[friction(coefficient = self.friction, normal = gaps[0])]
+    fn first(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
+        self.tips_velocity(q, v)[0].xy()
+    }
+
+    #[friction(coefficient = self.friction, normal = gaps[1])]
+    fn second(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
+        self.tips_velocity(q, v)[1].xy()
+    }
+
+    #[friction(coefficient = self.friction, normal = gaps[2])]
+    fn third(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
+        self.tips_velocity(q, v)[2].xy()
+    }
+}
+
+/// There is one possible share of the load, in which each foot is at its limit.
+#[test]
+fn three_feet_rest_on_the_steepest_slope() {
+    let mut samples = Samples::new(21);
+    for _ in 0..60 {
+        let (slope, direction) = (samples.number(0.05, 0.6), samples.number(0.0, 6.28));
+        let (down, reach) = (9.81 * slope.sin(), samples.number(0.5, 1.0));
+        let tripod = Tripod {
+            feet: [0.3, 2.2, 4.4].map(|angle: f64| reach * Vector2::new(angle.cos(), angle.sin())),
+            friction: slope.tan(),
+            weight: Vector3::new(down * direction.cos(), down * direction.sin(), -9.81 * slope.cos()),
+        };
+        let turn = UnitQuaternion::from_euler_angles(0.0, 0.0, samples.number(-3.0, 3.0));
+        let start = tripod.state(
+            TripodCoordinates { hull: Isometry3::from_parts(Translation3::new(0.0, 0.0, 0.2), turn) },
+            TripodVelocities { hull: PoseVelocity { linear: Vector3::zeros(), angular: Vector3::zeros() } },
+        );
+        let mut motion = tripod.simulate(start).with_max_steps(1000);
+        assert_eq!(motion.advance_to(10.0).unwrap().v, [0.0; 6], "{:?}", tripod.weight);
+    }
+}
