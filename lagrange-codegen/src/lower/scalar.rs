@@ -109,6 +109,12 @@ impl Interpreter<'_> {
                 let [Some(low), Some(high)] = bounds.map(|bound| self.scalar(bound, origin)) else {
                     return Value::Unknown;
                 };
+                let [known_low, known_high] = [low, high].map(|bound| self.graph().as_constant(bound));
+                if let (Some(low), Some(high)) = (known_low, known_high)
+                    && (high - low).is_negative()
+                {
+                    return self.refuse(origin, catalogue::clamp_reversed());
+                }
                 Some(self.graph().clamp(node, [low, high]))
             }
             "log" if arguments.is_empty() => {

@@ -156,6 +156,7 @@ fn constants_and_branches() {
     body(quote!(q.theta[1 / 0]), "this divides an integer by zero; ");
     body(quote!(q.theta[170141183460469231731687303715884105727 + 1]), "this integer is out of range; ");
     body(quote!(q.x / 0.0), "this divides by zero; ");
+    body(quote!(q.x.clamp(2.0, 1.0)), "`clamp` panics where its first bound is larger than its second; ");
     body(quote!(q.x % 2.0), "`%` jumps, so it has no derivative; ");
     body(quote!(q.x.round()), "`round` has no derivative everywhere; use the unrounded value");
     body(quote!(q.x.powi(self.n)), "`powi` needs a constant integer between ");
