@@ -5,6 +5,7 @@ use num_traits::Zero;
 use super::choice::Choice;
 use super::scene::{Scene, Status, above, entry, put, rounding};
 use super::trials::Part;
+use super::turning::has_pairs;
 use super::{Along, Coefficients, Regime, Row, Switching};
 use crate::number::elements::array;
 use crate::number::real::Real;
@@ -68,9 +69,30 @@ where
         decided: Option<usize>,
         fired: Option<usize>,
     ) -> Choice<S::Scalar, N, C, W> {
+        if fired.is_none()
+            && let Some(resting) = self.idle(&chosen)
+        {
+            return resting;
+        }
         let may_hold = self.may_hold(&chosen.regime, fired);
         let loaded = if may_hold { self.loaded(&chosen, part, decided, fired) } else { None };
         loaded.unwrap_or(chosen)
+    }
+
+    /// The regime in which slips in two directions stick that begin with nothing but rounding errors of their
+    /// forces: these are at their limits and balance the load. Where several feet share it, the search for
+    /// possible shares finds the only one with fewer digits. `None` where no such slip begins.
+    fn idle(&self, chosen: &Choice<S::Scalar, N, C, W>) -> Option<Choice<S::Scalar, N, C, W>> {
+        if const { !has_pairs(&S::ROWS) } {
+            return None;
+        }
+        let begins = self.beginning(&chosen.regime);
+        let is_rounding = |row: usize| {
+            let size = self.extent_of(row, &chosen.sizes.accelerations);
+            !above(self.rate(row, &chosen.accelerations).abs(), rounding::<S::Scalar>() * size)
+        };
+        let is_idle = begins.any() && (0..C).filter(|&row| begins.has(row)).all(is_rounding);
+        if is_idle { self.trial(begins.held(&chosen.regime)) } else { None }
     }
 
     /// The regime to which loads lead that grow in proportion, with contacts as in the chosen one: one
