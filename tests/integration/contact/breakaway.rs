@@ -339,7 +339,7 @@ impl Tripod {
 fn three_feet_rest_on_the_steepest_slope() {
     let mut samples = Samples::new(21);
     for _ in 0..60 {
-        let (slope, direction) = (samples.number(0.05, 0.6), samples.number(0.0, 6.28));
+        let (slope, direction) = (samples.number(0.05, 0.6), samples.number(0.0, core::f64::consts::TAU));
         let (down, reach) = (9.81 * slope.sin(), samples.number(0.5, 1.0));
         let tripod = Tripod {
             feet: [0.3, 2.2, 4.4].map(|angle: f64| reach * Vector2::new(angle.cos(), angle.sin())),
