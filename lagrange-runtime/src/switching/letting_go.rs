@@ -5,10 +5,11 @@
 //! constraints of the regime depend on each other in this state alone, and no motion in this regime leads on.
 
 use super::known::Known;
+use super::limits::is_friction;
 use super::run::Run;
 use super::scene::put;
 use super::trials::FEW;
-use super::{Regime, Row, Switching};
+use super::{Regime, Switching};
 use crate::number::elements::array;
 use crate::number::real::Ordered;
 use crate::system::control::Held;
@@ -42,9 +43,9 @@ where
     }
 
     /// Chooses the regime anew where a step has failed because constraints depend on each other. Contacts
-    /// that bear only because the motion has landed here are opened, unless the motion needs them; if there
-    /// are none, frictions let go that have stuck. Returns false, and leaves the regime, if the step has
-    /// failed for another `cause`, or if nothing can let go.
+    /// that bear only because the motion has landed here are opened, unless the motion needs them. Without
+    /// such contacts, some of the frictions that stick let go. Returns false, and leaves the regime, if the
+    /// step has failed for another `cause`, or if no friction can let go.
     #[cold]
     pub(super) fn lets_go(&mut self, cause: &Cause) -> Result<bool, Cause> {
         let landed = core::mem::replace(&mut self.memory.landed, [false; C]);
@@ -120,11 +121,6 @@ fn has<const C: usize>(set: &[bool; C], row: usize) -> bool {
 /// Whether constraints that depend on each other are the cause of an error.
 fn is_dependence(cause: &Cause) -> bool {
     matches!(cause, Cause::Undetermined { .. } | Cause::Contradictory { .. })
-}
-
-/// Whether a row is a friction, the first of two that are one.
-fn is_friction(kind: Option<&Row>, row: usize) -> bool {
-    matches!(kind, Some(Row::Friction { pair, .. }) if pair.is_none_or(|other| row < other))
 }
 
 #[cfg(test)]

@@ -16,7 +16,18 @@ where
 {
     /// The largest force of a friction that sticks, in the direction of its force.
     pub(super) fn limit(&self, row: usize, normal: Option<usize>, multipliers: &[S::Scalar; C]) -> S::Scalar {
-        let coefficient = entry(&self.against(-entry(multipliers, row)).fixed, row);
+        self.limit_against(-entry(multipliers, row), row, normal, multipliers)
+    }
+
+    /// The largest force of a friction that sticks, against a slip in the direction of this sign.
+    fn limit_against(
+        &self,
+        way: S::Scalar,
+        row: usize,
+        normal: Option<usize>,
+        multipliers: &[S::Scalar; C],
+    ) -> S::Scalar {
+        let coefficient = entry(&self.against(way).fixed, row);
         normal.map_or(coefficient, |normal| coefficient * entry(multipliers, normal).abs())
     }
 
@@ -28,12 +39,9 @@ where
         normal: Option<usize>,
         multipliers: &[S::Scalar; C],
     ) -> S::Scalar {
-        let one: S::Scalar = num_traits::One::one();
-        let load = normal.map_or(one, |normal| entry(multipliers, normal).abs());
-        let [forward, backward] = &self.coefficients;
-        let (forward, backward) = (entry(&forward.fixed, row) * load, entry(&backward.fixed, row) * load);
-        let force = entry(multipliers, row);
-        if above(backward - force, forward + force) { one } else { -one }
+        let (one, force): (S::Scalar, _) = (num_traits::One::one(), entry(multipliers, row));
+        let left = |way: S::Scalar| self.limit_against(way, row, normal, multipliers) + way * force;
+        if above(left(-one), left(one)) { one } else { -one }
     }
 
     /// Whether a friction has a limit of zero in both directions that does not change in the regime. It can
@@ -146,9 +154,9 @@ where
     /// The frictions at rest, the first row of each, without the one that has fired.
     fn resting_rows(&self, fired: Option<usize>) -> impl Iterator<Item = usize> + '_ {
         (0..C).filter(move |&row| {
-            let is_first = matches!(S::ROWS.get(row), Some(Row::Friction { pair, .. })
-                if pair.is_none_or(|other| row < other));
-            is_first && fired != Some(row) && self.status.get(row) == Some(&Status::Rests)
+            is_friction(S::ROWS.get(row), row)
+                && fired != Some(row)
+                && self.status.get(row) == Some(&Status::Rests)
         })
     }
 
@@ -171,8 +179,8 @@ where
         self.judge(&parts, &stuck, rounding(), None).ok()?;
         let way = self.nearer(row, *normal, &stuck.multipliers);
         let Coefficients { kinetic, fixed } = self.against(way);
-        let load = normal.map_or(num_traits::One::one(), |normal| entry(&stuck.multipliers, normal).abs());
-        let (limit, pressing) = (entry(fixed, row) * load, -way * entry(&stuck.multipliers, row));
+        let limit = self.limit_against(way, row, *normal, &stuck.multipliers);
+        let pressing = -way * entry(&stuck.multipliers, row);
         if above(limit - pressing, S::Scalar::epsilon().sqrt() * limit)
             || entry(kinetic, row) != entry(fixed, row)
         {
@@ -183,4 +191,9 @@ where
         put(&mut regime.slip, row, way);
         self.trial(regime)
     }
+}
+
+/// Whether a row is a friction, the first of two that are one.
+pub(super) fn is_friction(kind: Option<&Row>, row: usize) -> bool {
+    matches!(kind, Some(Row::Friction { pair, .. }) if pair.is_none_or(|other| row < other))
 }

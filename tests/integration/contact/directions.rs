@@ -298,7 +298,7 @@ impl OneWay {
     }
 }
 
-/// A load that passes zero does not show yet which way the clutch goes: a limit of nothing is reached at once.
+/// A load that passes zero does not show yet which way the clutch goes. A limit of zero is reached at once.
 #[test]
 fn a_clutch_without_drag_runs_as_one_with_hardly_any() {
     for number in 0..40 {
