@@ -104,6 +104,11 @@ impl Number {
         self == Number::ONE
     }
 
+    /// Whether this is ∞ or −∞.
+    pub fn is_infinite(self) -> bool {
+        matches!(self, Number::Float(value, _) if value.is_infinite())
+    }
+
     /// Whether this is below 0.
     pub fn is_negative(self) -> bool {
         match self {

@@ -41,6 +41,12 @@ pub fn unary(graph: &mut Graph, function: Unary, argument: NodeId, value: NodeId
             let product = graph.mul(value, tangent);
             graph.neg(product)
         }
+        Unary::Logistic => {
+            // 1 − y loses its digits where y approaches 1.
+            let opposite = graph.neg(argument);
+            let rest = graph.unary(Unary::Logistic, opposite);
+            graph.mul(value, rest)
+        }
         Unary::Asinh => {
             let square = one_plus(graph, argument, Number::ONE);
             let root = graph.sqrt(square);

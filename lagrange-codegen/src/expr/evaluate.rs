@@ -111,6 +111,7 @@ impl Graph {
                         | Unary::Cosh
                         | Unary::Tanh
                         | Unary::Sech
+                        | Unary::Logistic
                         | Unary::Asinh
                         | Unary::Acosh
                         | Unary::Atanh

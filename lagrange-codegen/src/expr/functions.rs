@@ -28,7 +28,14 @@ impl Graph {
                 _ => {}
             }
         }
-        let (coefficient, _) = self.scaled(argument);
+        let (coefficient, inner) = self.scaled(argument);
+        // A sum with an infinite number has its sign.
+        if let (Unary::Step | Unary::Below, Node::Sum { offset, .. }) = (function, self.node(inner))
+            && offset.is_infinite()
+        {
+            let is_below = offset.is_negative() != coefficient.is_negative();
+            return self.integer(i128::from(is_below == (function == Unary::Below)));
+        }
         if coefficient.is_negative() && function.parity() != Parity::Neither {
             let positive = self.neg(argument);
             let value = self.unary(function, positive);
@@ -72,6 +79,12 @@ impl Graph {
     fn chosen_by_order(&mut self, a: NodeId, b: NodeId, values: [NodeId; 2]) -> NodeId {
         let difference = self.sub(a, b);
         let [first, second] = self.sides(difference);
+        // Zero times the other may be no number: a bound may be infinite.
+        match [first, second].map(|side| self.is_zero(side)) {
+            [true, _] => return values[1],
+            [_, true] => return values[0],
+            [false, false] => {}
+        }
         let [first, second] = [(first, values[0]), (second, values[1])].map(|(side, x)| self.mul(side, x));
         self.add(first, second)
     }
@@ -177,6 +190,18 @@ mod tests {
         let (smaller, opposite) = (g.min(x, zero), g.neg(x));
         let part = g.unary(Unary::PositivePart, opposite);
         assert_eq!(smaller, g.neg(part));
+    }
+
+    #[test]
+    fn an_infinite_bound_bounds_nothing() {
+        let mut g = Graph::new();
+        let x = g.variable(Variable::Coordinate(0));
+        let [low, high] =
+            [f64::NEG_INFINITY, f64::INFINITY].map(|bound| g.constant(Number::Float(bound, 0.0)));
+        assert_eq!([g.max(low, x), g.max(x, low), g.min(high, x), g.min(x, high)], [x; 4]);
+        assert_eq!([g.max(high, x), g.min(x, low)], [high, low]);
+        assert_eq!(g.clamp(x, [low, high]), x);
+        assert_eq!(g.max(low, high), high);
     }
 
     #[test]

@@ -27,6 +27,8 @@ pub enum Unary {
     Tanh,
     /// One over the hyperbolic cosine, which does not overflow. Derivatives have it, Rust has not.
     Sech,
+    /// 1/(1 + e⁻ˣ), whose exponential may overflow. Reciprocals of 1 + eˣ become it, Rust has not.
+    Logistic,
     /// Inverse hyperbolic sine.
     Asinh,
     /// Inverse hyperbolic cosine.
@@ -71,7 +73,7 @@ pub enum Binary {
 
 impl Unary {
     /// All functions of one argument.
-    pub const ALL: [Unary; 23] = [
+    pub const ALL: [Unary; 24] = [
         Unary::Sin,
         Unary::Cos,
         Unary::Tan,
@@ -82,6 +84,7 @@ impl Unary {
         Unary::Cosh,
         Unary::Tanh,
         Unary::Sech,
+        Unary::Logistic,
         Unary::Asinh,
         Unary::Acosh,
         Unary::Atanh,
@@ -110,6 +113,7 @@ impl Unary {
             Unary::Cosh => "cosh",
             Unary::Tanh => "tanh",
             Unary::Sech => "sech",
+            Unary::Logistic => "logistic",
             Unary::Asinh => "asinh",
             Unary::Acosh => "acosh",
             Unary::Atanh => "atanh",
@@ -139,6 +143,7 @@ impl Unary {
             Unary::Cosh => x.cosh(),
             Unary::Tanh => x.tanh(),
             Unary::Sech => x.cosh().recip(),
+            Unary::Logistic => (1.0 + (-x).exp()).recip(),
             Unary::Asinh => x.asinh(),
             Unary::Acosh => x.acosh(),
             Unary::Atanh => x.atanh(),
@@ -174,7 +179,7 @@ impl Unary {
             | Unary::PositivePart
             | Unary::Below => Some(0),
             Unary::Cos | Unary::Cosh | Unary::Sech | Unary::Exp | Unary::Step => Some(1),
-            Unary::Acos | Unary::Acosh | Unary::Ln | Unary::Signum => None,
+            Unary::Acos | Unary::Acosh | Unary::Ln | Unary::Logistic | Unary::Signum => None,
         }
     }
 
@@ -198,6 +203,7 @@ impl Unary {
             | Unary::ExpM1
             | Unary::Ln
             | Unary::Ln1p
+            | Unary::Logistic
             | Unary::PositivePart
             | Unary::Step
             | Unary::Below => Parity::Neither,

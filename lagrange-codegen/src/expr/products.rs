@@ -40,7 +40,7 @@ impl Graph {
             self.absorb(&mut flat, factor, exponent);
         }
         self.collect(&mut flat);
-        self.swap(&mut flat, Unary::Cosh, |exponent| exponent < 0);
+        self.swap(&mut flat, Form::Bounded);
         if flat.coefficient.is_zero() {
             return self.zero();
         }
@@ -120,19 +120,16 @@ impl Graph {
         }
     }
 
-    /// Replaces powers of a hyperbolic cosine by powers of its reciprocal, or the other way round. While
-    /// factors are collected, all are powers of the cosine, so that equal ones meet. Afterwards negative ones
-    /// become powers of the reciprocal, which does not overflow, and whose derivatives do not either.
-    fn swap(&mut self, flat: &mut Flat, from: Unary, is_swapped: impl Fn(i32) -> bool) {
+    /// Replaces powers of functions that grow by powers of their reciprocals, or the other way round. While
+    /// factors are collected, all are powers of those that grow, so that equal ones meet. Afterwards negative
+    /// ones become powers of the reciprocal, which does not overflow, and whose derivatives do not either.
+    fn swap(&mut self, flat: &mut Flat, to: Form) {
         let mut swapped = false;
         for (factor, exponent) in &mut flat.factors {
-            if let Node::Unary(function @ (Unary::Cosh | Unary::Sech), argument) = *self.node(*factor)
-                && function == from
-                && is_swapped(exponent.0)
+            if (to == Form::Growing || exponent.0 < 0)
+                && let Some(reciprocal) = self.reciprocal(*factor, to)
             {
-                let to = if from == Unary::Cosh { Unary::Sech } else { Unary::Cosh };
-                *factor = self.unary(to, argument);
-                exponent.0 = -exponent.0;
+                (*factor, exponent.0) = (reciprocal, -exponent.0);
                 swapped = true;
             }
         }
@@ -141,11 +138,33 @@ impl Graph {
         }
     }
 
+    /// The reciprocal of a function that grows like eˣ, or of one that it is the reciprocal of.
+    fn reciprocal(&mut self, factor: NodeId, to: Form) -> Option<NodeId> {
+        match (to, self.node(factor)) {
+            (Form::Bounded, &Node::Unary(Unary::Cosh, x)) => Some(self.unary(Unary::Sech, x)),
+            (Form::Growing, &Node::Unary(Unary::Sech, x)) => Some(self.unary(Unary::Cosh, x)),
+            (Form::Bounded, Node::Sum { offset, terms }) => match terms[..] {
+                [(term, coefficient)] if offset.is_one() && coefficient.is_one() => {
+                    let Node::Unary(Unary::Exp, x) = *self.node(term) else { return None };
+                    let opposite = self.neg(x);
+                    Some(self.unary(Unary::Logistic, opposite))
+                }
+                _ => None,
+            },
+            (Form::Growing, &Node::Unary(Unary::Logistic, x)) => {
+                let opposite = self.neg(x);
+                let exponential = self.unary(Unary::Exp, opposite);
+                Some(self.sum(Number::ONE, &[(exponential, Number::ONE)]))
+            }
+            _ => None,
+        }
+    }
+
     /// Collects equal factors, and opens those whose half powers have met: √(x y) · √(x y) is x y.
     fn collect(&mut self, flat: &mut Flat) {
         let mut halves: Vec<NodeId> = Vec::new();
         loop {
-            self.swap(flat, Unary::Sech, |_| true);
+            self.swap(flat, Form::Growing);
             let odd = flat.factors.iter().filter(|(_, exponent)| exponent.as_integer().is_none());
             halves.extend(odd.map(|&(factor, _)| factor));
             flat.collect();
@@ -179,6 +198,15 @@ impl Graph {
         pair.sort_unstable();
         self.intern(Node::Product(pair.to_vec()))
     }
+}
+
+/// The two forms of functions that grow like eˣ.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Form {
+    /// Hyperbolic cosines, and 1 + eˣ.
+    Growing,
+    /// Their reciprocals, sech x and the logistic function of −x.
+    Bounded,
 }
 
 struct Flat {
@@ -232,6 +260,25 @@ mod tests {
         assert_eq!(g.as_constant(product), Some(Number::ONE));
         let (root, half) = (g.sqrt(secant), g.product(&[(cosine, Exponent(-1))]));
         assert_eq!(root, half);
+    }
+
+    #[test]
+    fn reciprocals_of_one_and_an_exponential_do_not_overflow() {
+        let mut g = Graph::new();
+        let x = g.variable(Variable::Coordinate(0));
+        let (exponential, opposite) = (g.unary(Unary::Exp, x), g.neg(x));
+        let sum = g.sum(Number::ONE, &[(exponential, Number::ONE)]);
+        let logistic = g.unary(Unary::Logistic, opposite);
+        assert_eq!(g.powi(sum, -2), g.powi(logistic, 2));
+        assert_eq!(g.powi(logistic, -1), sum);
+        let [wide, narrow] = [g.powi(sum, 3), g.powi(logistic, 2)];
+        assert_eq!(g.mul(wide, narrow), sum);
+        // Beyond 709 the exponential is infinite, and its slope by the rule of quotients no number.
+        let slope = crate::calculus::derivative(&mut g, Unary::Logistic, opposite, logistic);
+        for x in [-800.0, -3.0, 0.0, 2.0, 800.0_f64] {
+            let (low, high) = ((1.0 + x.exp()).recip(), (1.0 + (-x).exp()).recip());
+            assert_eq!(g.evaluate(&[logistic, slope], |_| x), [low, low * high], "{x}");
+        }
     }
 
     #[test]

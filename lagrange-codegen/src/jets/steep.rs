@@ -43,6 +43,7 @@ fn hides(function: Unary) -> bool {
         | Unary::Cosh
         | Unary::Tanh
         | Unary::Sech
+        | Unary::Logistic
         | Unary::Asinh
         | Unary::Atan => true,
         Unary::Sin

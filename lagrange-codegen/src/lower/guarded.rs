@@ -145,6 +145,7 @@ impl Guard {
                     | Unary::Atan
                     | Unary::Tanh
                     | Unary::Sech
+                    | Unary::Logistic
                     | Unary::Asinh
                     | Unary::Abs
                     | Unary::Signum

@@ -49,23 +49,37 @@ impl<'a> Interpreter<'a> {
                 }
             },
             Owner::Other(module) if &**module == "consts" => match Number::named(&path.last) {
-                Some(number) => {
-                    let value = number.value();
-                    let message = catalogue::other_constant(&path.text);
-                    let code = &path.code;
-                    self.meaning(
-                        format!("const _: () = ::core::assert!({code} == {value:?}, {message:?});"),
-                        path.origin,
-                    );
-                    self.constant(number)
-                }
+                Some(number) => self.known_constant(path, number, &format!("{:?}", number.value())),
                 None => self.foreign_constant(path),
             },
-            Owner::Type(_) | Owner::Other(_) if is_constant_name(&path.last) => self.foreign_constant(path),
-            Owner::Type(_) | Owner::Other(_) => {
-                self.refuse(path.origin, catalogue::unknown_path(&path.text, None))
-            }
+            // A bound that bounds nothing is seen to do so.
+            Owner::Type(Type { kind: TypeKind::Scalar | TypeKind::OtherFloat, .. }) => match &*path.last {
+                "INFINITY" => self.known_constant(path, Number::Float(f64::INFINITY, 0.0), "1.0 / 0.0"),
+                "NEG_INFINITY" => {
+                    self.known_constant(path, Number::Float(f64::NEG_INFINITY, 0.0), "-1.0 / 0.0")
+                }
+                _ => self.other_path(path),
+            },
+            Owner::Type(_) | Owner::Other(_) => self.other_path(path),
         }
+    }
+
+    /// What stands in a type or module that the macro cannot see.
+    fn other_path(&mut self, path: &Path) -> Value {
+        if is_constant_name(&path.last) {
+            return self.foreign_constant(path);
+        }
+        self.refuse(path.origin, catalogue::unknown_path(&path.text, None))
+    }
+
+    /// A constant of the standard library. That its path means this number, written in Rust, is asserted.
+    fn known_constant(&mut self, path: &Path, number: Number, written: &str) -> Value {
+        let (code, message) = (&path.code, catalogue::other_constant(&path.text));
+        self.meaning(
+            format!("const _: () = ::core::assert!({code} == {written}, {message:?});"),
+            path.origin,
+        );
+        self.constant(number)
     }
 
     /// A constant that the macro cannot see: a parameter of the description.

@@ -194,6 +194,12 @@ pub trait Real:
         self.cosh().recip()
     }
 
+    /// 1/(1 + e⁻ˣ): 0 where the exponential overflows, and so are its derivatives.
+    #[inline]
+    fn logistic(self) -> Self {
+        (Self::one() + (-self).exp()).recip()
+    }
+
     /// Inverse hyperbolic sine.
     #[inline]
     fn asinh(self) -> Self {

@@ -186,6 +186,10 @@ impl<R: Ordered> Real for Rounded<R> {
         let value = self.value.sech();
         self.through(value, value)
     }
+    fn logistic(self) -> Self {
+        let value = self.value.logistic();
+        self.through(value, value * (-self.value).logistic())
+    }
     fn exp(self) -> Self {
         let value = self.value.exp();
         self.through(value, value)
@@ -261,6 +265,7 @@ mod tests {
             ("cosh", |x, _| x.cosh(), |x, _| x.cosh()),
             ("tanh", |x, _| x.tanh(), |x, _| x.tanh()),
             ("sech", |x, _| x.sech(), |x, _| x.cosh().recip()),
+            ("logistic", |x, _| x.logistic(), |x, _| ((-x).exp() + 1.0).recip()),
             ("asinh", |x, _| x.asinh(), |x, _| x.asinh()),
             ("acosh", |_, y| y.acosh(), |_, y| y.acosh()),
             ("atanh", |x, _| x.atanh(), |x, _| x.atanh()),

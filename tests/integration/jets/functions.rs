@@ -286,3 +286,42 @@ fn a_power_of_a_speed_that_may_be_zero_is_not_smooth() {
     by_runge_kutta(&Drag);
     by_runge_kutta(&CubeRoot);
 }
+
+/// A step of the potential by 1/(1 + eˣ): beyond 709 widths the exponential overflows and the quotient is zero.
+struct Step {
+    width: f64,
+}
+
+#[lagrangian(coordinates = [x], jacobians)]
+impl Step {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * v.x.powi(2)
+    }
+
+    #[potential]
+    fn step(&self, q: &Coordinates) -> f64 {
+        1.0 / (1.0 + (-q.x / self.width).exp())
+    }
+}
+
+#[test]
+fn a_step_of_a_potential_begins_and_ends_where_its_exponential_overflows() {
+    for width in [0.03, 0.01] {
+        let step = Step { width };
+        for (place, speed) in [(-30.0, 3.0), (30.0, -1.0), (-30.0, 1.0)] {
+            let start = State::new([place], [speed]);
+            let end = *step.simulate(start).with_tolerance(1e-13).advance_to(80.0).unwrap();
+            // Up the step, down it, and back from it where the energy does not suffice.
+            let after = match (place < 0.0, speed * speed > 2.0) {
+                (true, true) => f64::sqrt(speed * speed - 2.0),
+                (true, false) => -speed,
+                (false, _) => -f64::sqrt(speed * speed + 2.0),
+            };
+            close(end.v[0], after, 1e-11);
+            let varied = step.variational();
+            let found = varied.motion(start).unwrap().with_tolerance(1e-13).advance_to(80.0).unwrap();
+            close(found.v_by_v[(0, 0)], speed / after, 1e-10);
+        }
+    }
+}

@@ -76,6 +76,13 @@ impl Mixed {
         });
         steps[2] * q.x + count * q.x
     }
+
+    #[potential]
+    fn extremes(&self, q: &Coordinates) -> f64 {
+        let places = [q.x, -2.0 * q.x, 0.3];
+        let largest = places.iter().fold(f64::NEG_INFINITY, |largest, place| largest.max(*place));
+        largest - places.into_iter().fold(f64::INFINITY, f64::min) + q.x.clamp(f64::NEG_INFINITY, f64::INFINITY)
+    }
 }
 
 macro_rules! scaled {
@@ -115,6 +122,7 @@ fn names_mean_what_rust_means() {
         system.rounded(&q),
         system.standard(&q),
         system.sequence(&q),
+        system.extremes(&q),
     ];
     let state = State::new([0.7], [0.0]);
     close(system.potential_energy(&state), all.iter().sum(), 1e-14);

@@ -180,7 +180,7 @@ impl Writer<'_> {
             Unary::Signum => "sgn",
             Unary::Step | Unary::Below => "step",
             Unary::Sin | Unary::Cos | Unary::Tan | Unary::Sinh | Unary::Cosh | Unary::Tanh => function.name(),
-            Unary::Sech | Unary::Exp | Unary::Ln | Unary::Cbrt => function.name(),
+            Unary::Sech | Unary::Logistic | Unary::Exp | Unary::Ln | Unary::Cbrt => function.name(),
         };
         let is_grouped = !is_trigonometric(function) || inner.strength() < Strength::Power;
         let zero = (function == Unary::PositivePart).then_some(Formula::Number(Number::ZERO));

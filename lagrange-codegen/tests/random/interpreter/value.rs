@@ -186,6 +186,7 @@ pub fn real(name: &str, arguments: &[f64]) -> Run<Value> {
         ("cosh", [x]) => x.cosh(),
         ("tanh", [x]) => x.tanh(),
         ("sech", [x]) => x.cosh().recip(),
+        ("logistic", [x]) => (1.0 + (-x).exp()).recip(),
         ("asinh", [x]) => x.asinh(),
         ("acosh", [x]) => x.acosh(),
         ("atanh", [x]) => x.atanh(),

@@ -250,6 +250,8 @@ impl<R: Real, const D: usize> Real for Dual<R, D> {
         // 1 − tanh² would lose its digits where the value approaches 1.
         tanh(x, _y) = x.sech() * x.sech();
         sech(x, y) = -(y * x.tanh());
+        // 1 − y would lose its digits where the value approaches 1.
+        logistic(x, y) = y * (-x).logistic();
         asinh(x, _y) = x.hypot(R::one()).recip();
         acosh(x, _y) = ((x - R::one()).sqrt() * (x + R::one()).sqrt()).recip();
         atanh(x, _y) = ((R::one() - x) * (R::one() + x)).recip();
