@@ -46,6 +46,7 @@ pub use followed::Along;
 pub use recurrence::{Coefficient, Convolution, Jets, Operand, Series};
 use rewriting::{contract_angles, meet_flows};
 pub use sides::Switch;
+pub use steep::Hidden;
 
 /// The most convolutions whose outermost terms are kept out of the tables. The sweep over these terms would
 /// wait for the row just written; with more convolutions there is other work in between.
@@ -65,7 +66,7 @@ pub fn derive(model: &mut Model, equations: &Equations, switches: &[Switch]) -> 
     roots.extend(restrictions.reactions.iter().chain(&restrictions.rates));
     roots.extend(conditions.relaxation.iter().flatten());
     let scope = Scope { coordinates: count, turning: &equations.turning, switches };
-    let is_steep = steep::is_steep(&mut model.graph, &roots, switches);
+    let hidden = steep::hidden(&mut model.graph, &roots, switches);
     let (followed, along) = followed::of(&mut model.graph, equations, scope);
     roots.extend(&followed);
     let counts = Counts {
@@ -103,7 +104,7 @@ pub fn derive(model: &mut Model, equations: &Equations, switches: &[Switch]) -> 
     }
     if let Some(jets) = &mut best {
         jets.gradients = restrictions.gradients;
-        jets.is_steep = is_steep;
+        jets.hidden = hidden;
         jets.along = along;
     }
     best

@@ -3,6 +3,7 @@
 use super::Counts;
 use super::auxiliary::{Auxiliary, Relation, Value};
 use super::followed::Along;
+use super::steep::Hidden;
 use crate::collections::Lookup;
 use crate::expr::{NodeId, Variable};
 use crate::schedule::{Instruction, Program, Slot};
@@ -92,8 +93,8 @@ pub struct Jets {
     vanishing: Vec<bool>,
     /// All slots, operands first.
     pub order: Vec<Slot>,
-    /// Whether the equations contain a function that can hide from a series.
-    pub is_steep: bool,
+    /// What functions depend on that can hide from a series; `None` without such functions.
+    pub hidden: Option<Hidden>,
 }
 
 impl Jets {
@@ -144,7 +145,7 @@ impl Jets {
             rates,
             reactions,
             conditions,
-            is_steep: false,
+            hidden: None,
             gradients: Vec::new(),
             relaxation,
             followed,

@@ -1,31 +1,108 @@
 //! Functions that can hide from a Taylor series.
 //!
 //! An exponential, a wall ∝ r⁻¹² or a smoothed sign v/√(v² + ε²) vanishes beside other terms, or underflows,
-//! a few of its widths away, and the series there does not show it. Sines, cosines and the powers of
-//! gravitation are as large as anything else wherever a series starts.
+//! a few of its widths away, and the series there does not show it. Neither does it show x²² or cos⁴⁰t from near
+//! their zeros. Sines, cosines and the powers of gravitation are as large as anything else wherever a series
+//! starts.
 
 use super::sides::{Switch, forms};
-use crate::expr::{Binary, Exponent, Graph, Node, NodeId, Unary};
+use crate::collections::Lookup;
+use crate::expr::{Binary, Dependence, Exponent, Graph, Node, NodeId, Unary};
 
 /// This power, counted in halves, and those below it are steep: x⁻⁴, or s⁻⁴ of a squared distance s.
 const STEEPEST: i32 = -8;
 
-/// Whether the equations contain such a function.
-pub(super) fn is_steep(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -> bool {
-    graph.cone(roots.iter().copied()).into_iter().any(|id| {
-        !graph.dependence(id).is_fixed()
-            && match graph.node(id).clone() {
-                Node::Unary(function, _) => hides(function),
-                Node::Binary(function, ..) => match function {
-                    Binary::Powf | Binary::PowfLn | Binary::Atan2 => true,
-                    Binary::Pivot => false,
-                },
-                Node::Product(factors) => {
-                    factors.into_iter().any(|(base, power)| is_steep_somewhere(graph, base, power, switches))
-                }
-                Node::Constant(_) | Node::Variable(_) | Node::Sum { .. } => false,
+/// The lowest positive power, counted in halves, that is flat: a series from near its zero to fewer orders does
+/// not show it. Of lower ones the orders of a tolerance of 1e-3 and finer see something.
+const FLATTEST: i32 = 14;
+
+/// What such functions depend on, along a motion.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Hidden {
+    /// The arguments of functions. Those of opposite ones are listed once.
+    pub arguments: Vec<NodeId>,
+    /// The bases of powers, and the largest power of each without its sign.
+    pub bases: Vec<(NodeId, u32)>,
+}
+
+impl Hidden {
+    /// All of them, arguments first.
+    pub fn all(&self) -> Vec<NodeId> {
+        self.arguments.iter().copied().chain(self.bases.iter().map(|&(base, _)| base)).collect()
+    }
+}
+
+/// The functions of this kind in the equations; `None` if there are none.
+pub(super) fn hidden(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -> Option<Hidden> {
+    let mut found = Found::default();
+    for id in graph.cone(roots.iter().copied()) {
+        if graph.dependence(id).is_fixed() {
+            continue;
+        }
+        match graph.node(id).clone() {
+            Node::Unary(function, argument) if hides(function) => {
+                let (coefficient, _) = graph.scaled(argument);
+                let positive = if coefficient.is_negative() { graph.neg(argument) } else { argument };
+                found.argument(graph, positive);
             }
-    })
+            Node::Binary(Binary::Powf | Binary::PowfLn, base, exponent) => {
+                let power = graph.as_constant(exponent).map_or(1.0, |power| power.value().abs().ceil());
+                found.base(graph, base, power as u32);
+            }
+            Node::Binary(Binary::Atan2, y, x) => {
+                let [y, x] = [y, x].map(|side| graph.powi(side, 2));
+                let square = graph.add(y, x);
+                found.base(graph, square, 1);
+            }
+            Node::Product(factors) => {
+                for (base, power) in factors {
+                    if is_steep_somewhere(graph, base, power, switches) {
+                        found.base(graph, base, power.0.unsigned_abs().div_ceil(2));
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    found.any.then_some(found.hidden)
+}
+
+/// Functions that have been found.
+#[derive(Default)]
+struct Found {
+    any: bool,
+    /// The places of arguments and bases in their lists.
+    seen: Lookup<(NodeId, bool), usize>,
+    hidden: Hidden,
+}
+
+impl Found {
+    fn argument(&mut self, graph: &Graph, argument: NodeId) {
+        self.any = true;
+        if is_known(graph, argument) && self.seen.insert((argument, false), 0).is_none() {
+            self.hidden.arguments.push(argument);
+        }
+    }
+
+    fn base(&mut self, graph: &Graph, base: NodeId, power: u32) {
+        self.any = true;
+        let bases = &mut self.hidden.bases;
+        match self.seen.get(&(base, true)) {
+            Some(&place) => bases[place].1 = bases[place].1.max(power),
+            None if is_known(graph, base) => {
+                self.seen.insert((base, true), bases.len());
+                bases.push((base, power.max(1)));
+            }
+            None => {}
+        }
+    }
+}
+
+/// Whether a node changes with the state or with time, and is known there.
+fn is_known(graph: &Graph, node: NodeId) -> bool {
+    let moving = Dependence::COORDINATES.union(Dependence::VELOCITIES).union(Dependence::TIME);
+    let dependence = graph.dependence(node);
+    dependence.meets(moving) && !dependence.meets(Dependence::MULTIPLIERS)
 }
 
 /// Whether a power is steep on some side of the switches in its base.
@@ -64,8 +141,8 @@ fn hides(function: Unary) -> bool {
     }
 }
 
-/// Whether a power is [`STEEPEST`] or below, or is a root or reciprocal of a sum with a fixed part, which is
-/// how kinks are smoothed.
+/// Whether a power is [`STEEPEST`] or below or [`FLATTEST`] or above, or is a root or reciprocal of a sum with a
+/// fixed part, which is how kinks are smoothed.
 fn is_steep_power(graph: &Graph, base: NodeId, exponent: Exponent) -> bool {
     if graph.dependence(base).is_fixed() {
         return false;
@@ -78,7 +155,7 @@ fn is_steep_power(graph: &Graph, base: NodeId, exponent: Exponent) -> bool {
     };
     let is_root = exponent.as_integer().is_none();
     let is_kink = if is_root { !is_difference(graph, base) } else { exponent.0 < 0 };
-    exponent.0 <= STEEPEST || is_kink && smooths(graph.node(base))
+    exponent.0 <= STEEPEST || exponent.0 >= FLATTEST || is_kink && smooths(graph.node(base))
 }
 
 /// Whether the base is L² − y², the square of a side of a triangle. Its root is as large as anything else
@@ -118,6 +195,9 @@ mod tests {
             (sine, false),
             (graph.powi(width, -12), false),
             (graph.powi(x, -2), false),
+            (graph.powi(x, 6), false),
+            (graph.powi(x, 7), true),
+            (graph.powi(sine, 40), true),
             (graph.powi(distance, -12), true),
             (graph.sqrt(smoothed), true),
             (graph.sqrt(side), false),
@@ -126,7 +206,7 @@ mod tests {
             (exp, true),
         ] {
             assert_eq!(
-                is_steep(&mut graph, &[node], &[]),
+                hidden(&mut graph, &[node], &[]).is_some(),
                 expected,
                 "{}",
                 graph.print(node, &|v| format!("{v:?}"))

@@ -269,7 +269,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
             tolerances: [S::Scalar::splat(self.tolerance), S::Scalar::epsilon().powi(4)],
         };
         if is_free && !self.last.is_positive() {
-            probe.compared(left / self.unit, &mut strongest);
+            probe.look_ahead(left / self.unit, &mut strongest);
         }
         while !probe.agrees(length / self.unit, &mut strongest) {
             length *= S::Scalar::from_f64(0.5);

@@ -249,7 +249,7 @@ mod tests {
     /// most a few times larger.
     #[test]
     fn errors_are_those_that_a_function_makes() {
-        let cases: [Case; 28] = [
+        let cases: [Case; 29] = [
             ("sum", |x, y| x + y, |x, y| x + y),
             ("difference", |x, y| x - y, |x, y| x - y),
             ("product", |x, y| x * y, |x, y| x * y),

@@ -7,12 +7,13 @@ use super::{Along, Coefficients, Functions, Laws, Regime, Row, Switching, Wanted
 use crate::constraints::Equations;
 use crate::integrator::Dop853;
 use crate::linear::{Switched, SwitchedRows};
+use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::System;
 use crate::system::error::Cause;
 use crate::system::footing::Footing;
 use crate::system::name::{Name, Names};
-use crate::system::smooth::{Series, Smooth};
+use crate::system::smooth::{Hidden, Series, Smooth};
 use crate::system::state::State;
 
 /// A system whose time is counted from an instant on.
@@ -145,6 +146,16 @@ impl<I: Smooth<N, K> + Copy, const N: usize, const K: usize> Smooth<N, K> for In
         series: &mut Series<Self::Scalar, N, P>,
     ) -> bool {
         self.in_regime.jet_at(constants, self.instant + t, q, v, u, h, orders, tables, series)
+    }
+
+    fn hidden_along<const PLACES: usize>(
+        &self,
+        states: &[State<Self::Scalar, N>; PLACES],
+        u: &[Self::Scalar; K],
+        visit: impl FnMut(Hidden, [Self::Scalar; PLACES]),
+    ) {
+        let at_times = states.each(|state| state.at_time(self.instant + state.t));
+        self.in_regime.hidden_along(&at_times, u, visit);
     }
 
     fn followed<const P: usize>(tables: &Self::Tables<P>) -> [&[Self::Scalar]; 2] {

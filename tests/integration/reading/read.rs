@@ -81,7 +81,8 @@ impl Mixed {
     fn extremes(&self, q: &Coordinates) -> f64 {
         let places = [q.x, -2.0 * q.x, 0.3];
         let largest = places.iter().fold(f64::NEG_INFINITY, |largest, place| largest.max(*place));
-        largest - places.into_iter().fold(f64::INFINITY, f64::min) + q.x.clamp(f64::NEG_INFINITY, f64::INFINITY)
+        largest - places.into_iter().fold(f64::INFINITY, f64::min)
+            + q.x.clamp(f64::NEG_INFINITY, f64::INFINITY)
     }
 }
 

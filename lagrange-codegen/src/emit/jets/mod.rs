@@ -7,6 +7,7 @@
 //! | `followed` | the coefficients of reactions and of followed functions, if there are any |
 
 mod constants;
+mod hidden;
 mod names;
 mod solvers;
 mod tiles;
@@ -88,7 +89,7 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
          {}: &{vector}, v: &{vector}, \
          {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut lagrange::{tables}, \
          series: &mut lagrange::Series<{scalar}, {count}, ORDERS>,\n) -> bool {{\n{items}{}\n}}\n{along}",
-        if jets.is_steep { "const STEEP: bool = true;\n" } else { "" },
+        hidden::hidden(emission, jets),
         if shares_pivots { "const SHARES_PIVOTS: bool = true;\n" } else { "" },
         named(factored || !hoisted.is_empty(), "constants"),
         named(reads.time, "t"),

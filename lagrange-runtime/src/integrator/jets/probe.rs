@@ -4,6 +4,7 @@
 //! switch that is thrown later) is not in its coefficients, and their decay says nothing of it. So the
 //! accelerations are compared at some places of the step with those of the polynomial.
 
+use super::hidden::{Passage, SAMPLES, sample};
 use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::smooth::{Series, Smooth};
@@ -33,39 +34,63 @@ pub(crate) fn restrained<R: Real>(length: R, last: R, left: R) -> R {
 }
 
 /// Whether the equations agree at [`PLACES`] places of the first `theta` units, the last of which is the end,
-/// and between them where a velocity passes zero: there laws of friction have their narrowest features.
-/// `start` are the velocities at the start, `v` gives those at a place. All places are examined, so that no
-/// strong force is missed; `look` is told whether one is the end, and also returns the velocities there.
-pub(super) fn agree_along<R: Real, const N: usize>(
-    theta: R,
-    start: &[R; N],
-    v: impl Fn(R) -> [R; N],
-    mut look: impl FnMut(R, bool) -> (bool, [R; N]),
-) -> bool {
-    let apart = theta * R::from_f64(1.0 / PLACES as f64);
-    let (mut place, mut before, mut agree) = (R::zero(), *start, true);
-    for index in 1..=PLACES {
-        let last = place;
+/// and between them where a velocity passes zero, since laws of friction have their narrowest features there,
+/// and where functions of a coordinate or of time may [hide](super::hidden). All places are examined, so that
+/// no strong force is missed; `look` is told whether one is the end.
+pub(super) fn agree_along<S, P, const N: usize, const K: usize>(
+    passage: &Passage<'_, S, P, N, K>,
+    start: &State<S::Scalar, N>,
+    mut look: impl FnMut(S::Scalar, &State<S::Scalar, N>, bool) -> bool,
+) -> bool
+where
+    S: Smooth<N, K>,
+    P: Fn(S::Scalar) -> State<S::Scalar, N>,
+{
+    let (theta, state_at) = (passage.theta, passage.state_at);
+    let apart = theta * S::Scalar::from_f64(1.0 / PLACES as f64);
+    let mut states = [*start; SAMPLES];
+    let (mut place, mut before, mut agree) = (num_traits::Zero::zero(), start.v, true);
+    for (index, state) in states.iter_mut().enumerate().take(PLACES + 1).skip(1) {
+        let last: S::Scalar = place;
         place += apart;
-        let (agrees, here) = look(place, index == PLACES);
-        agree &= agrees;
-        for (i, (&from, &to)) in before.iter().zip(&here).enumerate() {
-            let passes = |from: R, to: R| (from / (from - to)).part(0);
-            let is_between = |part: R| part.is_positive() && (R::one() - part).is_positive();
-            let part = passes(from, to);
-            if !is_between(part) {
-                continue;
-            }
-            // One more secant, since the place may be narrow.
-            let middle = v(last + part * apart).get(i).copied().unwrap_or(from);
-            let nearer = part * passes(from, middle);
-            let beyond = part + (R::one() - part) * passes(middle, to);
-            let part = [nearer, beyond, part].into_iter().find(|&part| is_between(part)).unwrap_or(part);
-            agree &= look(last + part * apart, false).0;
+        *state = state_at(place);
+        agree &= look(place, state, index == PLACES);
+        let v = |part: S::Scalar| state_at(last + part * apart).v;
+        for part in stops(&before, &state.v, v).into_iter().flatten() {
+            let theta = last + part * apart;
+            agree &= look(theta, &state_at(theta), false);
         }
-        before = here;
+        before = state.v;
     }
-    agree
+    if !agree || !S::STEEP {
+        return agree;
+    }
+    for (index, state) in states.iter_mut().enumerate().skip(PLACES + 1) {
+        *state = state_at(apart * S::Scalar::from_f64(sample(index)));
+    }
+    passage.look(&states, |theta| look(theta, &state_at(theta), false))
+}
+
+/// Where velocities pass zero between two places: the part of the way.
+fn stops<R: Real, const N: usize>(
+    before: &[R; N],
+    after: &[R; N],
+    v: impl Fn(R) -> [R; N],
+) -> [Option<R>; N] {
+    let passes = |from: R, to: R| (from / (from - to)).part(0);
+    let is_between = |part: R| part.is_positive() && (R::one() - part).is_positive();
+    array(|i| {
+        let (from, to) = (before[i], after[i]);
+        let part = passes(from, to);
+        if !is_between(part) {
+            return None;
+        }
+        // One more secant, since the place may be narrow.
+        let middle = v(part)[i];
+        let nearer = part * passes(from, middle);
+        let beyond = part + (R::one() - part) * passes(middle, to);
+        Some([nearer, beyond, part].into_iter().find(|&part| is_between(part)).unwrap_or(part))
+    })
 }
 
 /// A series, and the equations that it is compared with.
@@ -95,27 +120,34 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
         agrees
     }
 
-    /// The comparison. `strongest` always includes all accelerations found. For a polynomial in time they are
-    /// those that lie ahead.
-    pub fn compared(&self, theta: S::Scalar, strongest: &mut [S::Scalar; N]) -> bool {
+    /// The strongest accelerations that lie ahead of a state at rest, in the lanes that have one: the forces
+    /// that will set in are the only measure of the rounding errors of these that are there. What moves meets
+    /// other forces before it is there.
+    pub fn look_ahead(&self, theta: S::Scalar, strongest: &mut [S::Scalar; N]) {
+        let mut ahead = *strongest;
+        self.compared(theta, &mut ahead);
+        let (gain_q, gain_v) = self.series.gain(theta, self.orders);
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let moves = gain_q.iter().chain(&gain_v).fold(zero, |most, gain| most.max(gain.part(0).abs()));
+        *strongest = array(|i| strongest[i].where_positive(moves, ahead[i]));
+    }
+
+    /// The comparison. `strongest` always includes all accelerations found.
+    fn compared(&self, theta: S::Scalar, strongest: &mut [S::Scalar; N]) -> bool {
         let span = theta * self.unit;
         let noise = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon();
         let [relative, absolute] = self.tolerances;
         let relative = S::Scalar::from_f64(MARGIN) * relative.max(noise);
         let tiny = S::Scalar::epsilon().powi(4);
-        let mut agrees_at = |theta: S::Scalar| {
-            let (gain_q, gain_v) = self.series.gain(theta, self.orders);
-            let q = array(|i| self.start.q[i] + gain_q[i]);
-            let v = array(|i| self.start.v[i] + gain_v[i]);
-            let t = self.start.t + theta * self.unit;
-            let found = self.system.accelerations_at(self.constants, t, &q, &v, self.inputs);
+        let mut agrees_at = |theta: S::Scalar, State { t, q, v }: &State<S::Scalar, N>| {
+            let found = self.system.accelerations_at(self.constants, *t, q, v, self.inputs);
             let expected = self.series.slopes(theta, self.orders).each(|slope| slope / self.unit);
             let is_finite = found.iter().all(|found| found.is_finite());
             for (strongest, found) in strongest.iter_mut().zip(&found).filter(|(_, found)| found.is_finite())
             {
                 *strongest = strongest.max(found.part(0).abs());
             }
-            let agrees = (0..S::Scalar::PARTS).fold(is_finite, |agrees, part| {
+            (0..S::Scalar::PARTS).fold(is_finite, |agrees, part| {
                 let pair = |i: usize| [found[i].part(part), expected[i].part(part)];
                 let size = |i: usize| {
                     let speed = self.start.v[i].part(part).abs().max(v[i].part(part).abs());
@@ -136,13 +168,15 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
                     let excess = ((found - expected) * span).abs() - bound;
                     agrees && excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
                 })
-            });
-            (agrees, v)
+            })
         };
-        let v = |theta| {
-            let (_, gain) = self.series.gain(theta, self.orders);
-            array(|i| self.start.v[i] + gain[i])
+        let state_at = |theta: S::Scalar| {
+            let (gain_q, gain_v) = self.series.gain(theta, self.orders);
+            let moved = |from: &[S::Scalar; N], gain: &[S::Scalar; N]| array(|i| from[i] + gain[i]);
+            let (q, v) = (moved(&self.start.q, &gain_q), moved(&self.start.v, &gain_v));
+            State { t: self.start.t + theta * self.unit, q, v }
         };
-        agree_along(theta, &self.start.v, v, |theta, _| agrees_at(theta))
+        let passage = Passage { system: self.system, inputs: self.inputs, state_at: &state_at, theta };
+        agree_along(&passage, self.start, |theta, state, _| agrees_at(theta, state))
     }
 }

@@ -4,6 +4,7 @@ use super::super::landing::{Check, Determined, Landing};
 use super::super::lengths::{Lengths, Verdict};
 use super::super::step_size;
 use super::expansion::{expand, too_small};
+use super::hidden::Passage;
 use super::probe::{self, Probe, agree_along};
 use super::{Jets, JetsMemory, singular};
 use crate::number::elements::Each;
@@ -14,6 +15,7 @@ use crate::system::error::Cause;
 use crate::system::limits::Limits;
 use crate::system::method::Adaptive;
 use crate::system::smooth::Smooth;
+use crate::system::state::State;
 
 /// The largest ratio of a step of a constrained motion to the one before it. The end of every step is checked
 /// anyway. This bound serves polynomials whose high coefficients cancel exactly and would allow any length:
@@ -132,13 +134,13 @@ where
         let check = Check { system, constants, inputs: &control.0, limits, from: &memory.start };
         let slopes = |theta| memory.series.slopes(theta, memory.orders).each(|slope| slope / memory.unit);
         let on_the_way = |landing: &Landing<S::Scalar, N>| {
-            let v = |theta| memory.state_at(theta).v;
+            let state_at = |theta| memory.state_at(theta);
+            let passage = Passage { system, inputs: &control.0, state_at: &state_at, theta };
             // The end is checked beside this.
-            let look = |theta, is_end| {
-                let state = memory.state_at(theta);
-                (is_end || check.agrees(&state, &slopes(theta), landing), state.v)
+            let look = |theta, state: &State<S::Scalar, N>, is_end| {
+                is_end || check.agrees(state, &slopes(theta), landing)
             };
-            !S::STEEP || agree_along(theta, &memory.start.v, v, look)
+            !S::STEEP || agree_along(&passage, &memory.start, look)
         };
         let last_terms = |landing: &Landing<S::Scalar, N>| {
             theta <= measured
@@ -226,9 +228,7 @@ where
         tolerances: [limits.relative, absolute],
     };
     if let (Some(left), false) = (free, memory.last.is_positive()) {
-        // At rest, the strength of the forces ahead is the only measure of the rounding errors of one that
-        // sets in.
-        probe.compared(left / memory.unit, &mut strongest);
+        probe.look_ahead(left / memory.unit, &mut strongest);
     }
     let (mut length, mut is_shorter) = (memory.end.t - start.t, false);
     while !probe.agrees(length / memory.unit, &mut strongest) {

@@ -1,0 +1,24 @@
+//! Functions that can hide from a series: what they depend on, at states along a step.
+
+use super::{Emission, body, turning};
+use crate::jets::Jets;
+
+/// The items of the trait; none if no function can hide.
+pub(super) fn hidden(emission: &Emission<'_>, jets: &Jets) -> String {
+    let Some(hidden) = &jets.hidden else { return String::new() };
+    let steep = "const STEEP: bool = true;\n";
+    let all = hidden.all();
+    if all.is_empty() {
+        return steep.to_owned();
+    }
+    let (scalar, count) = (&emission.scalar, emission.count());
+    let (vector, inputs) = (emission.vector_type(), emission.input_type());
+    let powers: Vec<u32> = hidden.bases.iter().map(|&(_, power)| power).collect();
+    let body = turning::entry(emission)
+        + &body::plain(emission.model, scalar, &all, body::Source::Slices, |values| values.list());
+    format!(
+        "{steep}fn hidden_along<const PLACES: usize>(\n&self, __states: &[lagrange::State<{scalar}, {count}>; PLACES], \
+         u: &{inputs}, __visit: impl ::core::ops::FnMut(lagrange::Hidden, [{scalar}; PLACES]),\n) {{\n\
+         lagrange::jets::hidden(__states, &{powers:?}, |t, q: &{vector}, v: &{vector}| {{\n{body}\n}}, __visit);\n}}\n"
+    )
+}

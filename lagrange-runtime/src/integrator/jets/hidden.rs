@@ -1,0 +1,369 @@
+//! Where a step passes narrow functions that its series does not show.
+//!
+//! A wall exp(−x/w), a bump exp(−(x/w)²) or a step tanh(x/w) can underflow, or vanish beside other terms, a few
+//! of its widths away. What it is a function of does not: x/w is a smooth function along the step. So the
+//! narrow function lies where its argument passes zero, or is largest or smallest, and its width is the time
+//! in which the argument changes by one. A power, such as (x² + ε²)^(−3/2) or cos⁴⁰t, is narrow where its base
+//! is smallest or largest, and its width is the time in which it changes by a factor of about e.
+
+use super::probe::PLACES;
+use crate::number::elements::array;
+use crate::number::real::Real;
+use crate::system::smooth::{Hidden, Smooth};
+use crate::system::state::State;
+
+/// The most steps of the search for a place. Each halves the bracket of its zero at least once in three steps.
+const STEPS: usize = 48;
+
+/// How near, as a part of the width of the function, a place is found.
+const NEAR: f64 = 0.25;
+
+/// The most halvings of a step on which an argument varies too fast for the places.
+const HALVINGS: usize = 5;
+
+/// The third difference of an argument at places, as a part of its range, up to which they show its course: a
+/// sine has six of them in its period then.
+const SMOOTH: f64 = 0.5;
+
+/// Places between the others, in times between these: one that varies faster than all of these may look smooth
+/// at places that are evenly apart.
+const BETWEEN: [f64; 3] = [1.382, 3.618, 5.236];
+
+/// All places at which arguments are looked at, the start first, those between at the end.
+pub(super) const SAMPLES: usize = PLACES + 1 + BETWEEN.len();
+
+/// The same as parts of the time between two places.
+pub(super) fn sample(index: usize) -> f64 {
+    index.checked_sub(PLACES + 1).and_then(|between| BETWEEN.get(between).copied()).unwrap_or(index as f64)
+}
+
+/// A step, and the functions that may hide in it.
+pub(super) struct Passage<'a, S: Smooth<N, K>, P, const N: usize, const K: usize> {
+    pub(super) system: &'a S,
+    pub(super) inputs: &'a [S::Scalar; K],
+    /// The state a part of the step after its start.
+    pub(super) state_at: &'a P,
+    /// The length of the step.
+    pub(super) theta: S::Scalar,
+}
+
+/// What a function that may hide depends on.
+struct Argument<'a, V> {
+    kind: Hidden,
+    /// Its value at any part of the step.
+    value_at: &'a V,
+}
+
+/// The same on a part of the step.
+struct Part<'a, R, V> {
+    of: &'a Argument<'a, V>,
+    /// Where it begins, and the time between two places.
+    from: R,
+    apart: R,
+    /// The values at its samples.
+    values: [R; SAMPLES],
+    /// The end of the step.
+    end: R,
+}
+
+impl<S, P, const N: usize, const K: usize> Passage<'_, S, P, N, K>
+where
+    S: Smooth<N, K>,
+    P: Fn(S::Scalar) -> State<S::Scalar, N>,
+{
+    /// Looks where functions may hide between places, whose states are these, and tells whether all agree.
+    /// Lanes without such a function look at the end of the step.
+    pub(super) fn look(
+        &self,
+        states: &[State<S::Scalar, N>; SAMPLES],
+        mut look: impl FnMut(S::Scalar) -> bool,
+    ) -> bool {
+        let (mut agree, mut index) = (true, 0);
+        self.system.hidden_along(states, self.inputs, |kind, values| {
+            let value_at = |theta| {
+                let (mut found, mut other) = (num_traits::Zero::zero(), 0);
+                self.system.hidden_along(
+                    &[(self.state_at)(theta)],
+                    self.inputs,
+                    |_, [value]: [S::Scalar; 1]| {
+                        if other == index {
+                            found = value.part(0);
+                        }
+                        other += 1;
+                    },
+                );
+                found
+            };
+            let argument = Argument { kind, value_at: &value_at };
+            let values = values.map(|value| value.part(0));
+            argument.places(values, self.theta, &mut |theta| agree &= look(theta));
+            index += 1;
+        });
+        agree
+    }
+}
+
+impl<V> Argument<'_, V> {
+    /// Visits the places at which the function is largest or steepest, if they lie between those of the step,
+    /// at which its argument has these values. Where it varies too fast for them, in parts of the step.
+    fn places<R: Real>(&self, values: [R; SAMPLES], end: R, visit: &mut impl FnMut(R))
+    where
+        V: Fn(R) -> R,
+    {
+        let part = |apart: R, number: usize| {
+            let from = apart * R::from_f64((number * PLACES) as f64);
+            let place = |index: usize| from + apart * R::from_f64(sample(index));
+            Part { of: self, from, apart, values: array(|k| (self.value_at)(place(k))), end }
+        };
+        let mut apart = end * R::from_f64(1.0 / PLACES as f64);
+        let whole = Part { of: self, from: R::zero(), apart, values, end };
+        let mut parts = 1;
+        if whole.is_smooth() {
+            whole.places(visit);
+            return;
+        }
+        for halving in 1..=HALVINGS {
+            (apart, parts) = (apart * R::from_f64(0.5), 2 * parts);
+            let is_last = halving == HALVINGS;
+            if is_last || (0..parts).all(|number| part(apart, number).is_smooth()) {
+                (0..parts).for_each(|number| part(apart, number).places(visit));
+                return;
+            }
+        }
+    }
+}
+
+impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
+    /// Whether the places show the course of the argument.
+    fn is_smooth(&self) -> bool {
+        let (mut low, mut high) = (self.values[0], self.values[0]);
+        for &value in &self.values {
+            (low, high) = (low.min(value), high.max(value));
+        }
+        let bound = (R::from_f64(SMOOTH) * (high - low)).max(R::one());
+        let exceeds = |number: R, bound: R| (number.abs() - bound).largest() > num_traits::Zero::zero();
+        let differ = |values: &[R]| match *values {
+            [a, b, c, d] => exceeds((d - a) - R::from_f64(3.0) * (c - b), bound),
+            _ => false,
+        };
+        let (places, between) = self.values.split_at(PLACES + 1);
+        let strays = |(&value, at): (&R, f64)| {
+            let cubic = places.get(at as usize - 1..).map_or(value, |around| cubic(around, at % 1.0));
+            exceeds(value - cubic, bound * R::from_f64(0.5))
+        };
+        !places.windows(4).any(differ) && !between.iter().zip(BETWEEN).any(strays)
+    }
+
+    fn at(&self, place: usize) -> (R, R) {
+        let value = self.values.get(place).copied().unwrap_or_else(R::zero);
+        (self.from + R::from_f64(place as f64) * self.apart, value)
+    }
+
+    /// Visits the places at which the function is largest or steepest.
+    fn places(&self, visit: &mut impl FnMut(R)) {
+        for place in 1..PLACES + 1 {
+            self.crossings(self.at(place - 1), self.at(place), visit);
+        }
+        for place in 1..PLACES {
+            let middle = self.at(place);
+            let Some((vertex, width)) = self.vertex(place) else { continue };
+            for beside in [R::zero(), -width, width] {
+                visit((vertex + beside).max(R::zero()).min(self.end));
+            }
+            // An argument that passes zero and comes back.
+            let turned = (vertex, (self.of.value_at)(vertex));
+            if (-(turned.1 * middle.1)).largest() > num_traits::Zero::zero() {
+                self.crossings(self.at(place - 1), turned, visit);
+                self.crossings(turned, self.at(place + 1), visit);
+            }
+        }
+    }
+
+    /// Visits the places at which an argument is one and minus one, where it passes zero.
+    fn crossings(&self, from: (R, R), to: (R, R), visit: &mut impl FnMut(R)) {
+        if self.of.kind != Hidden::Argument {
+            return;
+        }
+        let one = R::one();
+        // Otherwise the function is no narrower than the places are apart.
+        let passes = (-(from.1 * to.1)).min((from.1 - to.1).abs() - one);
+        if !(passes.largest() > num_traits::Zero::zero()) {
+            return;
+        }
+        for level in [-one, one] {
+            let opposite = passes.min(-((from.1 - level) * (to.1 - level)));
+            if opposite.largest() > num_traits::Zero::zero() {
+                visit(self.reaching(level, from, to, opposite));
+            }
+        }
+    }
+
+    /// The place at which the argument has a value, in the lanes where `active` is positive; the end in the
+    /// others. The Illinois variant of false position (M. Dowell, P. Jarratt, BIT 11, 1971).
+    fn reaching(&self, level: R, from: (R, R), to: (R, R), active: R) -> R {
+        let (one, half) = (R::one(), R::from_f64(0.5));
+        let ((mut low, mut below), (mut high, mut above)) = ((from.0, from.1 - level), (to.0, to.1 - level));
+        let mut theta = self.end;
+        for _ in 0..STEPS {
+            theta = (high - above * (high - low) / (above - below)).where_positive(active, self.end);
+            let value = (self.of.value_at)(theta) - level;
+            if (R::from_f64(NEAR) - value.abs()).where_positive(active, one).is_positive() {
+                break;
+            }
+            let opposite = -(value * above);
+            below = above.where_positive(opposite, below * half);
+            low = high.where_positive(opposite, low);
+            (high, above) = (theta, value);
+        }
+        theta
+    }
+
+    /// Where the argument is largest or smallest near a place, and the width of the function there; `None`
+    /// where that is not narrower than the places are apart. The end and zero in lanes of which this is true.
+    fn vertex(&self, place: usize) -> Option<(R, R)> {
+        let (zero, one, half) = (R::zero(), R::one(), R::from_f64(0.5));
+        let [before, (middle, value), after] = [self.at(place - 1), self.at(place), self.at(place + 1)];
+        let (slope, bend) = Self::parabola(before.1, value, after.1);
+        let shift = -(slope / bend);
+        // A parabola does not place its vertex exactly. So the nearest places share one, and one at an end may
+        // seem to lie beyond.
+        let reach = |is_outermost| R::from_f64(if is_outermost { 2.0 } else { 0.75 });
+        let inside = (shift + reach(place == 1)).min(reach(place + 1 == PLACES) - shift);
+        let mut width = self.width(value, slope * shift, bend);
+        let active = inside.min(one - width);
+        if !(active.largest() > num_traits::Zero::zero()) {
+            return None;
+        }
+        let (mut vertex, mut step) = (middle + shift * self.apart, half * self.apart);
+        width = width * self.apart;
+        for tried in 0..STEPS {
+            let at = vertex.where_positive(active, self.end);
+            let (centre, left, right) = ((self.of.value_at)(at), at - step, at + step);
+            let (slope, bend) = Self::parabola((self.of.value_at)(left), centre, (self.of.value_at)(right));
+            let shift = (-(slope / bend)).max(-one).min(one);
+            width = self.width(centre, slope * shift, bend) * step;
+            vertex = at + shift * step;
+            let near = R::from_f64(NEAR) * width - (shift * step).abs();
+            // Two parabolas of like length may be wrong alike. A shorter one tells.
+            if tried > 0 && near.where_positive(active, one).is_positive() {
+                break;
+            }
+            step = (step * R::from_f64(0.125)).max(width);
+        }
+        Some((vertex.where_positive(active, self.end), width.where_positive(active, zero)))
+    }
+
+    /// Slope and second derivative of a parabola at the second of three places that are one apart.
+    fn parabola(before: R, value: R, after: R) -> (R, R) {
+        (R::from_f64(0.5) * (after - before), (after - value) - (value - before))
+    }
+
+    /// The time in which an argument with this second derivative changes by one, or a power by a factor. The
+    /// parabola falls by half of `change` from the value to its vertex.
+    fn width(&self, value: R, change: R, bend: R) -> R {
+        let unit = match self.of.kind {
+            Hidden::Argument => R::one(),
+            // Far from the vertex the parabola is no good measure of a small value there.
+            Hidden::Base(power) => {
+                let least = value.abs().min((value + R::from_f64(0.5) * change).abs());
+                least / R::from_f64(f64::from(power))
+            }
+        };
+        ((unit + unit) / bend.abs()).sqrt()
+    }
+}
+
+/// The cubic polynomial through four values at places that are one apart, a part of the way from the second to
+/// the third.
+fn cubic<R: Real>(values: &[R], part: f64) -> R {
+    let weights = [
+        -part * (part - 1.0) * (part - 2.0) / 6.0,
+        (part + 1.0) * (part - 1.0) * (part - 2.0) / 2.0,
+        -(part + 1.0) * part * (part - 2.0) / 2.0,
+        (part + 1.0) * part * (part - 1.0) / 6.0,
+    ];
+    values.iter().zip(weights).fold(R::zero(), |sum, (&value, weight)| sum + R::from_f64(weight) * value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::vec::Vec;
+
+    /// The places that are visited on a step of length one.
+    fn visited(kind: Hidden, argument: impl Fn(f64) -> f64) -> Vec<f64> {
+        let values = array(|index| argument(sample(index) / PLACES as f64));
+        let mut visited = Vec::new();
+        Argument { kind, value_at: &argument }.places(values, 1.0, &mut |theta| visited.push(theta));
+        visited
+    }
+
+    #[test]
+    fn narrow_functions_are_met_on_both_sides_of_their_middle() {
+        for width in [1e-2, 1e-5, 1e-9] {
+            for middle in [0.003, 0.1, 0.5, 0.77, 0.995] {
+                // A bend of the argument between the places.
+                let bent = |t: f64| t + 0.3 * t * t;
+                let along = |t: f64| (bent(t) - bent(middle)) / width;
+                let found = visited(Hidden::Argument, along);
+                let signs = [-1.0, 1.0].into_iter().filter(|&sign| along(0.0) < sign && sign < along(1.0));
+                assert_eq!(found.len(), signs.clone().count(), "{width} {middle}");
+                for (theta, sign) in found.iter().zip(signs) {
+                    assert!((along(*theta) - sign).abs() < 0.3, "{width} {middle}: {}", along(*theta));
+                }
+                // The first or last place sees one that is so near.
+                if along(0.0).abs().min(along(1.0).abs()) < 1.0 {
+                    continue;
+                }
+                let found = visited(Hidden::Argument, |t| -along(t).powi(2));
+                assert!(!found.is_empty() && found.len() % 3 == 0, "{width} {middle}");
+                for (theta, expected) in found.iter().zip([0.0, 1.0, 1.0].into_iter().cycle()) {
+                    assert!(
+                        (along(*theta).abs() - expected).abs() < 0.3,
+                        "{width} {middle} {found:?} {}",
+                        along(*theta)
+                    );
+                }
+                let found = visited(Hidden::Base(1), |t| 1e-6 + 1e-6 * along(t).powi(2));
+                assert!(found.iter().any(|&theta| along(theta).abs() < 0.3), "{width} {middle} {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn wide_functions_are_left_to_the_places_of_the_step() {
+        assert!(visited(Hidden::Argument, |t| 5.0 * (t - 0.4)).is_empty());
+        assert!(visited(Hidden::Argument, |t| -(5.0 * (t - 0.4)).powi(2)).is_empty());
+        assert!(visited(Hidden::Base(1), |t| 1.0 + (5.0 * (t - 0.4)).powi(2)).is_empty());
+    }
+
+    #[test]
+    fn all_passages_of_an_argument_that_varies_fast_are_met() {
+        let along = |t: f64| (20.0 * t + 0.1).sin() / 1e-6;
+        let zeros = 1..=6;
+        let found = visited(Hidden::Argument, along);
+        for zero in zeros.clone() {
+            let place = (f64::from(zero) * core::f64::consts::PI - 0.1) / 20.0;
+            assert!(
+                found.iter().filter(|&&theta| (theta - place).abs() < 1e-6).count() >= 2,
+                "{zero} {found:?}"
+            );
+        }
+        let found = visited(Hidden::Argument, |t| -along(t).powi(2));
+        for zero in zeros {
+            let place = (f64::from(zero) * core::f64::consts::PI - 0.1) / 20.0;
+            assert!(
+                found.iter().filter(|&&theta| (theta - place).abs() < 1e-6).count() >= 3,
+                "{zero} {found:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn an_argument_that_comes_back_between_two_places_is_met_where_it_passes_zero() {
+        let along = |t: f64| 1e9 * ((t - 0.52).powi(2) - 1e-4);
+        let found = visited(Hidden::Argument, along);
+        let near = |place: f64| found.iter().filter(|&&theta| (theta - place).abs() < 1e-4).count();
+        assert!([0.51, 0.52, 0.53].into_iter().all(|place| near(place) >= 2), "{found:?}");
+    }
+}
