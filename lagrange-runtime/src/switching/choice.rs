@@ -31,6 +31,14 @@ pub(super) struct Choice<R, const N: usize, const C: usize, const W: usize> {
     pub(super) sizes: Sizes<R, N>,
 }
 
+/// The row whose guard has fired.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fired {
+    pub(super) row: usize,
+    /// Whether it held before. A friction that held has reached its limit; one that slipped has come to rest.
+    pub(super) held: bool,
+}
+
 impl<R: Real, const N: usize, const C: usize, const W: usize> Choice<R, N, C, W> {
     /// The accelerations without those that are rounding errors of forces. What is at rest would get a
     /// velocity from them that has no digits, and no scale to tell that.
@@ -81,17 +89,18 @@ where
         if let Some(slips) = avoid.and_then(|row| self.slipping(present, row)) {
             return Ok(slips);
         }
+        let fired = avoid.map(|row| Fired { row, held: present.active.get(row) == Some(&true) });
         let decided = avoid.filter(|&row| match S::ROWS.get(row) {
             Some(Row::Bilateral | Row::Load) => true,
             Some(Row::Unilateral) => present.active.get(row) == Some(&true),
             Some(Row::Friction { .. }) | None => false,
         });
         if decided.is_some()
-            && let Ok(choice) = self.choose_among(self.options(present, avoid, decided), decided, avoid)
+            && let Ok(choice) = self.choose_among(self.options(present, avoid, decided), decided, fired)
         {
             return Ok(choice);
         }
-        let choice = self.choose_among(self.options(present, avoid, None), None, avoid)?;
+        let choice = self.choose_among(self.options(present, avoid, None), None, fired)?;
         let Some(row) = avoid.filter(|_| choice.regime == *present) else { return Ok(choice) };
         let Some(&Row::Friction { pair, normal }) = S::ROWS.get(row) else { return Ok(choice) };
         let is_stuck = present.active.get(row) == Some(&true);
@@ -104,7 +113,7 @@ where
         }
         let mut options = self.options(present, None, None);
         put(&mut options, row, others);
-        Ok(self.choose_among(options, if is_stuck { avoid } else { None }, avoid).unwrap_or(choice))
+        Ok(self.choose_among(options, if is_stuck { avoid } else { None }, fired).unwrap_or(choice))
     }
 
     /// The regime among these options. Nothing is asked of a row that is decided. Contacts that have opened
@@ -114,7 +123,7 @@ where
         &self,
         options: [Options; C],
         decided: Option<usize>,
-        fired: Option<usize>,
+        fired: Option<Fired>,
     ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
         if self.opened.contains(&true) {
             let open = array(|row| match (self.opened[row], S::ROWS[row]) {
@@ -133,7 +142,7 @@ where
         &self,
         options: [Options; C],
         decided: Option<usize>,
-        fired: Option<usize>,
+        fired: Option<Fired>,
     ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
         let is_coupled = S::ROWS.iter().zip(&self.status).any(|(row, &status)| {
             matches!(row, Row::Friction { normal: Some(_), .. }) && status != Status::Apart

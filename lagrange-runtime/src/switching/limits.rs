@@ -2,7 +2,7 @@
 
 use num_traits::Zero;
 
-use super::choice::Choice;
+use super::choice::{Choice, Fired};
 use super::scene::{Scene, Status, above, entry, put, rounding};
 use super::trials::Part;
 use super::turning::has_pairs;
@@ -58,9 +58,8 @@ where
     }
 
     /// Whether a friction begins to slip in a regime that holds more at rest than it gives when it slips.
-    /// Then nothing may have made it let go, though the regime agrees with its consequences. The friction
-    /// that has `fired` has reached its limit.
-    fn may_hold(&self, regime: &Regime<S::Scalar, C, W>, fired: Option<usize>) -> bool {
+    /// Then nothing may have made it let go, though the regime agrees with its consequences.
+    fn may_hold(&self, regime: &Regime<S::Scalar, C, W>, fired: Option<Fired>) -> bool {
         self.resting_rows(fired).any(|row| {
             let slip = entry(&regime.slip, row);
             let Coefficients { kinetic, fixed } = self.against(slip);
@@ -75,7 +74,7 @@ where
         chosen: Choice<S::Scalar, N, C, W>,
         part: S::Scalar,
         decided: Option<usize>,
-        fired: Option<usize>,
+        fired: Option<Fired>,
     ) -> Choice<S::Scalar, N, C, W> {
         if fired.is_none()
             && let Some(resting) = self.idle(&chosen)
@@ -112,7 +111,7 @@ where
         chosen: &Choice<S::Scalar, N, C, W>,
         part: S::Scalar,
         decided: Option<usize>,
-        fired: Option<usize>,
+        fired: Option<Fired>,
     ) -> Option<Choice<S::Scalar, N, C, W>> {
         let (zero, one): (S::Scalar, S::Scalar) = (S::Scalar::zero(), num_traits::One::one());
         let across = |row: usize| match S::ROWS.get(row) {
@@ -151,11 +150,11 @@ where
         }
     }
 
-    /// The frictions at rest, the first row of each, without the one that has fired.
-    fn resting_rows(&self, fired: Option<usize>) -> impl Iterator<Item = usize> + '_ {
+    /// The frictions at rest, the first row of each, without one that has reached its limit.
+    fn resting_rows(&self, fired: Option<Fired>) -> impl Iterator<Item = usize> + '_ {
         (0..C).filter(move |&row| {
             is_friction(S::ROWS.get(row), row)
-                && fired != Some(row)
+                && !fired.is_some_and(|fired| fired.held && fired.row == row)
                 && self.status.get(row) == Some(&Status::Rests)
         })
     }

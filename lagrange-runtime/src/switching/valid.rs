@@ -123,6 +123,10 @@ where
         }
         let Some((part, row)) = first else { return Ok(found) };
         let (cause, state) = (invalid::<S, N, K, C, W>(row), self.within(part)?);
+        // A slip ends no earlier than time resolves, and beyond its end it may have more friction than at rest.
+        if found.as_ref().is_some_and(|event| !is_beyond_rounding(event.state.t, state.t)) {
+            return Ok(found);
+        }
         if !is_beyond_rounding(start.t, state.t) {
             return Err(cause);
         }

@@ -4,6 +4,7 @@ use lagrangian::prelude::*;
 
 use super::TIGHT;
 use crate::support::close::{all_close, close};
+use crate::support::sample::Samples;
 
 /// Two blocks of 1 kg on each other; from 1 s on the upper one is pulled. The floor holds more at rest.
 struct Stack {
@@ -51,6 +52,58 @@ fn friction_that_is_not_exceeded_does_not_let_go() {
     let stack = Stack { kinetic: 1.0, fixed: 2.0, between: 2.5, pull: 2.25 };
     let mut motion = stack.simulate(State::at_rest([0.0; 2])).with_tolerance(TIGHT);
     all_close(motion.advance_to(3.0).unwrap().q, [1.25; 2], 1e-12);
+}
+
+/// Two blocks of 1 kg on each other, both with more friction at rest. The upper one is pulled.
+struct Sliding {
+    floor: [f64; 2],
+    between: [f64; 2],
+    pull: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Sliding {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * (v.x * v.x + v.y * v.y)
+    }
+
+    #[force(on = y)]
+    fn pull(&self) -> f64 {
+        self.pull
+    }
+
+    #[friction(limit = self.floor[0], static_limit = self.floor[1])]
+    fn on_floor(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+
+    #[friction(limit = self.between[0], static_limit = self.between[1])]
+    fn between(&self, v: &Velocities) -> f64 {
+        v.y - v.x
+    }
+}
+
+#[test]
+fn where_a_slip_ends_the_friction_lets_go_that_is_exceeded() {
+    // The floor can hold the pull, the upper friction cannot. With its kinetic limit the floor would let both
+    // blocks go backward, in which case nothing would be exceeded either.
+    let mut samples = Samples::new(5);
+    for _ in 0..100 {
+        let floor = [samples.number(0.5, 1.0), samples.number(2.0, 3.0)];
+        let between = [samples.number(0.9, 1.2), samples.number(1.3, 1.5)];
+        let (pull, speed) = (-samples.number(1.6, 1.9), samples.number(0.01, 0.3));
+        let blocks = Sliding { floor, between, pull };
+        let stops = 2.0 * speed / (floor[0] - pull);
+        let start = State::new([0.0; 2], [speed; 2]);
+        let end = *blocks.simulate(start).with_tolerance(TIGHT).advance_to(2.0).unwrap();
+        all_close(end.v, [0.0, (pull + between[0]) * (2.0 - stops)], 1e-11);
+        let mut stepper = blocks.stepper::<Jet<6>>(start);
+        for _ in 0..200 {
+            stepper.step(0.01, &[]).unwrap();
+        }
+        all_close(stepper.state().v, end.v, 1e-10);
+    }
 }
 
 /// A block on a belt that begins to move.

@@ -194,3 +194,41 @@ fn the_static_value_may_be_that_of_the_law_at_rest() {
         close_on(1.0, end.v[0], expected.v[0], 1e-6);
     }
 }
+
+/// A block on a spring, with a law whose peak is the limit at rest.
+struct Peak;
+
+#[lagrangian(coordinates = [x])]
+impl Peak {
+    #[point(mass = 1.0)]
+    fn block(&self, q: &Coordinates) -> Vector1<f64> {
+        Vector1::new(q.x)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        10.0 * q.x.powi(2)
+    }
+
+    fn law(&self, v: &Velocities) -> f64 {
+        1.0 + 0.5 * (-v.x.abs() / 0.1).exp()
+    }
+
+    #[friction(limit = law, static_limit = 1.5)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+}
+
+#[test]
+fn a_limit_at_rest_may_be_the_peak_of_the_law_at_any_time() {
+    for speed in (0..20).map(|i| 0.5 + 0.05 * f64::from(i)) {
+        let start = State::new([0.0], [speed]);
+        let expected = Peak.simulate(start).advance_to(3.0).unwrap().q[0];
+        for time in [10.0, 100.0, 1e3, 1e4, 1e6, -1e5] {
+            let found = Peak.simulate(start.at_time(time)).advance_to(time + 3.0).unwrap().q[0];
+            // The time at which a slip ends has rounding errors, and in these the friction changes.
+            close_on(1.0, found, expected, 1e-9 + 1e2 * f64::EPSILON * time.abs());
+        }
+    }
+}

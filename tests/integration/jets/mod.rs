@@ -9,6 +9,7 @@ mod functions;
 mod gaps;
 mod hidden;
 mod mechanics;
+mod narrow;
 mod oracle;
 mod steps;
 mod units;
