@@ -19,8 +19,8 @@ use crate::system::state::State;
 )]
 pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
     /// Whether a function in the equations can hide from a series. Exponentials, hyperbolic functions and
-    /// high negative powers vanish beside other terms, or underflow, a few of their widths away. Steps under
-    /// error control are then compared with the equations at some points, and grow with restraint.
+    /// high powers vanish beside other terms, or underflow, a few of their widths away. Steps under error
+    /// control are then compared with the equations at some points, and grow with restraint.
     const STEEP: bool = false;
 
     /// Whether the mass matrix is factored with pivots that all lanes of a vector share, so that rounding

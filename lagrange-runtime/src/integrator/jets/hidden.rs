@@ -25,16 +25,16 @@ const HALVINGS: usize = 5;
 /// sine has six of them in its period then.
 const SMOOTH: f64 = 0.5;
 
-/// Places between the others, in times between these: one that varies faster than all of these may look smooth
-/// at places that are evenly apart.
+/// Places between the others, in times between these: an argument that varies faster may look smooth at places
+/// that are evenly apart.
 const BETWEEN: [f64; 3] = [1.382, 3.618, 5.236];
 
-/// All places at which arguments are looked at, the start first, those between at the end.
-pub(super) const SAMPLES: usize = PLACES + 1 + BETWEEN.len();
+/// The places at which every argument is looked at: the start, those of the step, and the first one between.
+pub(super) const SAMPLES: usize = PLACES + 2;
 
-/// The same as parts of the time between two places.
+/// The same, in times between places.
 pub(super) fn sample(index: usize) -> f64 {
-    index.checked_sub(PLACES + 1).and_then(|between| BETWEEN.get(between).copied()).unwrap_or(index as f64)
+    if index > PLACES { BETWEEN[0] } else { index as f64 }
 }
 
 /// A step, and the functions that may hide in it.
@@ -117,16 +117,23 @@ impl<V> Argument<'_, V> {
         };
         let mut apart = end * R::from_f64(1.0 / PLACES as f64);
         let whole = Part { of: self, from: R::zero(), apart, values, end };
-        let mut parts = 1;
-        if whole.is_smooth() {
-            whole.places(visit);
+        let [range, unit] = whole.range();
+        if !((range - unit).largest() > num_traits::Zero::zero()) {
             return;
         }
+        if whole.is_smooth([range, unit]) {
+            whole.places(unit, visit);
+            return;
+        }
+        let mut parts = 1;
         for halving in 1..=HALVINGS {
             (apart, parts) = (apart * R::from_f64(0.5), 2 * parts);
             let is_last = halving == HALVINGS;
-            if is_last || (0..parts).all(|number| part(apart, number).is_smooth()) {
-                (0..parts).for_each(|number| part(apart, number).places(visit));
+            let is_smooth = |part: Part<'_, R, V>| part.is_smooth(part.range());
+            if is_last || (0..parts).all(|number| is_smooth(part(apart, number))) {
+                for part in (0..parts).map(|number| part(apart, number)) {
+                    part.places(part.range()[1], visit);
+                }
                 return;
             }
         }
@@ -134,24 +141,36 @@ impl<V> Argument<'_, V> {
 }
 
 impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
-    /// Whether the places show the course of the argument.
-    fn is_smooth(&self) -> bool {
-        let (mut low, mut high) = (self.values[0], self.values[0]);
+    /// The range of the argument, and the least change that makes a difference to the function.
+    fn range(&self) -> [R; 2] {
+        let first = self.values[0];
+        let (mut low, mut high, mut least) = (first, first, first.abs());
         for &value in &self.values {
-            (low, high) = (low.min(value), high.max(value));
+            (low, high, least) = (low.min(value), high.max(value), least.min(value.abs()));
         }
-        let bound = (R::from_f64(SMOOTH) * (high - low)).max(R::one());
+        let unit = match self.of.kind {
+            Hidden::Argument => R::one(),
+            Hidden::Base(power) => least / R::from_f64(f64::from(power)),
+        };
+        [high - low, unit]
+    }
+
+    /// Whether the places show the course of an argument of this range.
+    fn is_smooth(&self, [range, unit]: [R; 2]) -> bool {
+        let bound = (R::from_f64(SMOOTH) * range).max(unit);
         let exceeds = |number: R, bound: R| (number.abs() - bound).largest() > num_traits::Zero::zero();
         let differ = |values: &[R]| match *values {
             [a, b, c, d] => exceeds((d - a) - R::from_f64(3.0) * (c - b), bound),
             _ => false,
         };
         let (places, between) = self.values.split_at(PLACES + 1);
-        let strays = |(&value, at): (&R, f64)| {
+        let strays = |(index, at): (usize, f64)| {
+            let place = self.from + R::from_f64(at) * self.apart;
+            let value = between.get(index).copied().unwrap_or_else(|| (self.of.value_at)(place));
             let cubic = places.get(at as usize - 1..).map_or(value, |around| cubic(around, at % 1.0));
             exceeds(value - cubic, bound * R::from_f64(0.5))
         };
-        !places.windows(4).any(differ) && !between.iter().zip(BETWEEN).any(strays)
+        !places.windows(4).any(differ) && !BETWEEN.into_iter().enumerate().any(strays)
     }
 
     fn at(&self, place: usize) -> (R, R) {
@@ -159,14 +178,15 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
         (self.from + R::from_f64(place as f64) * self.apart, value)
     }
 
-    /// Visits the places at which the function is largest or steepest.
-    fn places(&self, visit: &mut impl FnMut(R)) {
+    /// Visits the places at which the function is largest or steepest. `unit` is the least change of the
+    /// argument that makes a difference.
+    fn places(&self, unit: R, visit: &mut impl FnMut(R)) {
         for place in 1..PLACES + 1 {
             self.crossings(self.at(place - 1), self.at(place), visit);
         }
         for place in 1..PLACES {
             let middle = self.at(place);
-            let Some((vertex, width)) = self.vertex(place) else { continue };
+            let Some((vertex, width)) = self.vertex(place, unit) else { continue };
             for beside in [R::zero(), -width, width] {
                 visit((vertex + beside).max(R::zero()).min(self.end));
             }
@@ -220,10 +240,13 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
 
     /// Where the argument is largest or smallest near a place, and the width of the function there; `None`
     /// where that is not narrower than the places are apart. The end and zero in lanes of which this is true.
-    fn vertex(&self, place: usize) -> Option<(R, R)> {
+    fn vertex(&self, place: usize, unit: R) -> Option<(R, R)> {
         let (zero, one, half) = (R::zero(), R::one(), R::from_f64(0.5));
         let [before, (middle, value), after] = [self.at(place - 1), self.at(place), self.at(place + 1)];
         let (slope, bend) = Self::parabola(before.1, value, after.1);
+        if !((bend.abs() - (unit + unit)).largest() > num_traits::Zero::zero()) {
+            return None;
+        }
         let shift = -(slope / bend);
         // A parabola does not place its vertex exactly. So the nearest places share one, and one at an end may
         // seem to lie beyond.

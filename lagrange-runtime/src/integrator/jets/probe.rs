@@ -65,8 +65,8 @@ where
     if !agree || !S::STEEP {
         return agree;
     }
-    for (index, state) in states.iter_mut().enumerate().skip(PLACES + 1) {
-        *state = state_at(apart * S::Scalar::from_f64(sample(index)));
+    if let Some(between) = states.last_mut() {
+        *between = state_at(apart * S::Scalar::from_f64(sample(PLACES + 1)));
     }
     passage.look(&states, |theta| look(theta, &state_at(theta), false))
 }
