@@ -153,7 +153,8 @@ where
         let length = self.length(&way);
         let Fall { by, doubt, crosses_a_hill } = self.fall(rest, &way, units);
         let is_sure = by - doubt >= number(0.1) * predicted;
-        if !is_sure || crosses_a_hill || length > number(2.0) * size * units.length {
+        let is_too_far = length > number(2.0) * size * units.length;
+        if !is_sure || is_too_far || crosses_a_hill || self.crosses_on_constraints(rest, &way, units) {
             return None;
         }
         let next = self.rest(q);
@@ -180,16 +181,47 @@ where
             by += number(0.5 * fine) * *power;
             coarse += number(0.5 * rough) * *power;
         }
-        // A rise within half of the digits of the forces is no hill.
-        let most = powers.iter().fold(number(0.0), |most, x| larger(x.abs(), most));
-        let noise = S::Scalar::epsilon().sqrt() * most;
-        let (mut has_risen, mut crosses_a_hill) = (false, false);
-        for power in powers {
-            has_risen |= power < -noise;
-            crosses_a_hill |= has_risen && power > noise;
-        }
+        // Where constraints bend the way, this line tells nothing of the hills on it.
+        let crosses_a_hill = C == 0 && rise_and_fall(&powers);
         Fall { by, doubt: (by - coarse).abs(), crosses_a_hill }
     }
+
+    /// Whether the energy rises and falls again on the constraints beside a straight line. What is left of the
+    /// forces there has no part across the constraints.
+    #[cold]
+    fn crosses_on_constraints(
+        &self,
+        rest: &Rest<S::Scalar, N, C>,
+        way: &[S::Scalar; N],
+        units: &Units<S::Scalar>,
+    ) -> bool {
+        if C == 0 {
+            return false;
+        }
+        let number = S::Scalar::from_f64;
+        let along = way.each(|x| x / units.length);
+        let mut powers = [number(0.0); RULE.len()];
+        for (power, (point, ..)) in powers.iter_mut().zip(RULE) {
+            let share = number(0.5 * (1.0 + point));
+            let beside = array(|i| S::Scalar::mul_add(share, way[i], rest.q[i]));
+            let Ok(q) = self.feasible(beside) else { return true };
+            *power = dot(&self.left(&q).each(|f| f / units.force), &along);
+        }
+        rise_and_fall(&powers)
+    }
+}
+
+/// Whether powers along a way say that the energy rises and falls again. A rise within half of the digits of
+/// the forces is no hill.
+fn rise_and_fall<R: Ordered>(powers: &[R]) -> bool {
+    let most = powers.iter().fold(R::zero(), |most, x| larger(x.abs(), most));
+    let noise = R::epsilon().sqrt() * most;
+    let (mut has_risen, mut falls) = (false, false);
+    for &power in powers {
+        has_risen |= power < -noise;
+        falls |= has_risen && power > noise;
+    }
+    falls
 }
 
 /// Whether the last fall was at least half of the average.

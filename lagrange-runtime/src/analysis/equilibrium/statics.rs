@@ -316,6 +316,14 @@ where
         }
     }
 
+    /// f + Aᵀλ with the multipliers of least squares.
+    #[inline(never)]
+    pub fn left(&self, q: &[S::Scalar; N]) -> [S::Scalar; N] {
+        let gradients = self.variation(q, &[S::Scalar::zero(); C]).gradients;
+        let (_, _, multipliers) = self.balancing(q, &gradients);
+        self.imbalance(q, &multipliers)
+    }
+
     /// The number of independent constraints, one without a gradient if there is one, and the multipliers
     /// that balance the forces as well as possible.
     #[inline(never)]
