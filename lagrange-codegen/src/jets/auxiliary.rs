@@ -210,7 +210,8 @@ impl<'g> Rewriter<'g> {
                 self.auxiliaries[index].relation = Relation::Power(x, Number::Ratio(1, 3));
                 return Ok(variable);
             }
-            // On series the slope follows from the value itself, without cosh, which would overflow, and without a second exponential.
+            // On series the slope follows from the value itself, without cosh, which would overflow, and
+            // without a second exponential.
             Unary::Tanh => {
                 let square = self.graph.powi(variable, 2);
                 self.graph.sum(Number::ONE, &[(square, Number::MINUS_ONE)])

@@ -1,9 +1,8 @@
 //! When each coefficient of an order is known, and which convolutions there are.
 
-use super::Counts;
 use super::auxiliary::{Auxiliary, Relation, Value};
 use super::followed::Along;
-use super::steep::Hidden;
+use super::{Counts, Hidden};
 use crate::collections::Lookup;
 use crate::expr::{NodeId, Variable};
 use crate::schedule::{Instruction, Program, Slot};

@@ -67,6 +67,9 @@ pub const REFUSED: [&str; 11] = [
     "total_cmp",
 ];
 
+/// Up to here doubles hold all whole numbers.
+const LARGEST_EXACT: f64 = 9_007_199_254_740_992.0;
+
 /// Larger whole powers are hardly meant, and exact constants would take forever.
 pub const LARGEST_POWER: u128 = 1024;
 
@@ -88,6 +91,14 @@ impl Interpreter<'_> {
             })
             .collect();
         let rounded = constants.map_or(Rounded::UNKNOWN, |others| rounded.function(name, &others));
+        // Of constants these are whole numbers, which need no derivative.
+        if let ("floor" | "ceil" | "round" | "trunc", []) = (name, arguments.as_slice())
+            && self.model.graph.dependence(node) == Dependence::NONE
+            && let Some(value) = rounded.value(&self.item.scalar)
+            && value.abs() <= LARGEST_EXACT
+        {
+            return Value::Scalar(self.graph().integer(value as i128), rounded);
+        }
         if REFUSED.contains(&name) {
             return self.refuse(word.origin, catalogue::not_smooth(name, alternative(name)));
         }

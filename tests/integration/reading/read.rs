@@ -56,6 +56,12 @@ impl Mixed {
     }
 
     #[potential]
+    fn whole(&self, q: &Coordinates) -> f64 {
+        (2.7_f64.floor() + (-2.7_f64).ceil() * 10.0 + (5.0 / 2.0_f64).round() * 100.0 + (-3.99_f64).trunc())
+            * q.x
+    }
+
+    #[potential]
     fn rounded(&self, q: &Coordinates) -> f64 {
         if 0.1 + 0.2 == 0.3 { 1000.0 * q.x } else { 7.0 * q.x }
     }
@@ -120,6 +126,7 @@ fn names_mean_what_rust_means() {
         system.outside(&q),
         system.by_trait(&q),
         system.casts(&q),
+        system.whole(&q),
         system.rounded(&q),
         system.standard(&q),
         system.sequence(&q),

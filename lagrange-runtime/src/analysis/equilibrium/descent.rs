@@ -186,8 +186,8 @@ where
         Fall { by, doubt: (by - coarse).abs(), crosses_a_hill }
     }
 
-    /// Whether the energy rises and falls again on the constraints beside a straight line. What is left of the
-    /// forces there has no part across the constraints.
+    /// Whether the energy rises and falls again on the constraints beside a straight line. What is left of
+    /// the forces there has no part across the constraints.
     #[cold]
     fn crosses_on_constraints(
         &self,

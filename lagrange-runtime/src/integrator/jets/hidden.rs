@@ -6,11 +6,14 @@
 //! in which the argument changes by one. A power, such as (x² + ε²)^(−3/2) or cos⁴⁰t, is narrow where its base
 //! is smallest or largest, and its width is the time in which it changes by a factor of about e.
 
-use super::probe::PLACES;
 use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::smooth::{Hidden, Smooth};
 use crate::system::state::State;
+
+/// The number of places of a step at which a series is compared with the equations. The last one is the end of
+/// the step.
+pub(super) const PLACES: usize = 7;
 
 /// The most steps of the search for a place. Each halves the bracket of its zero at least once in three steps.
 const STEPS: usize = 48;

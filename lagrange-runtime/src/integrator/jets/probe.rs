@@ -4,15 +4,11 @@
 //! switch that is thrown later) is not in its coefficients, and their decay says nothing of it. So the
 //! accelerations are compared at some places of the step with those of the polynomial.
 
-use super::hidden::{Passage, SAMPLES, sample};
+use super::hidden::{PLACES, Passage, SAMPLES, sample};
 use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::smooth::{Series, Smooth};
 use crate::system::state::State;
-
-/// The number of points of a step at which the series is compared with the equations. The last one is the end
-/// of the step.
-pub(super) const PLACES: usize = 7;
 
 /// The largest ratio of a step to the one before it.
 const GROWTH: f64 = 2.0;
