@@ -142,8 +142,8 @@ fn hides(function: Unary) -> bool {
     }
 }
 
-/// Whether a power is [`STEEPEST`] or below or [`FLATTEST`] or above, or is a root or reciprocal of a sum with
-/// a fixed part, which is how kinks are smoothed.
+/// Whether a power is [`STEEPEST`] or below or [`FLATTEST`] or above, or is a root or reciprocal of a sum
+/// with a fixed part, which is how kinks are smoothed.
 fn is_steep_power(graph: &Graph, base: NodeId, exponent: Exponent) -> bool {
     if graph.dependence(base).is_fixed() {
         return false;

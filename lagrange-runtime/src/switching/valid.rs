@@ -123,7 +123,8 @@ where
         }
         let Some((part, row)) = first else { return Ok(found) };
         let (cause, state) = (invalid::<S, N, K, C, W>(row), self.within(part)?);
-        // A slip ends no earlier than time resolves, and beyond its end it may have more friction than at rest.
+        // Time does not resolve the end of a slip exactly, and beyond it the law may be above its value at
+        // rest.
         if found.as_ref().is_some_and(|event| !is_beyond_rounding(event.state.t, state.t)) {
             return Ok(found);
         }

@@ -287,7 +287,8 @@ fn a_power_of_a_speed_that_may_be_zero_is_not_smooth() {
     by_runge_kutta(&CubeRoot);
 }
 
-/// A step of the potential by 1/(1 + eˣ): beyond 709 widths the exponential overflows and the quotient is zero.
+/// A step of the potential by 1/(1 + eˣ): beyond 709 widths the exponential overflows and the quotient is
+/// zero.
 struct Step {
     width: f64,
 }

@@ -1,5 +1,5 @@
-//! Functions that are narrow beside a step: bumps that turn a body back, detents that hold it, pulses of time and
-//! high powers, of widths and at tolerances of every size. References are closed forms.
+//! Functions that are narrow beside a step: bumps that turn a body back, detents that hold it, pulses of time
+//! and high powers, of widths and at tolerances of every size. References are closed forms.
 
 use std::f64::consts::PI;
 

@@ -1,21 +1,22 @@
 //! Where a step passes narrow functions that its series does not show.
 //!
-//! A wall exp(−x/w), a bump exp(−(x/w)²) or a step tanh(x/w) can underflow, or vanish beside other terms, a few
-//! of its widths away. What it is a function of does not: x/w is a smooth function along the step. So the
+//! A wall exp(−x/w), a bump exp(−(x/w)²) or a step tanh(x/w) can underflow, or vanish beside other terms, a
+//! few of its widths away. What it is a function of does not: x/w is a smooth function along the step. So the
 //! narrow function lies where its argument passes zero, or is largest or smallest, and its width is the time
-//! in which the argument changes by one. A power, such as (x² + ε²)^(−3/2) or cos⁴⁰t, is narrow where its base
-//! is smallest or largest, and its width is the time in which it changes by a factor of about e.
+//! in which the argument changes by one. A power, such as (x² + ε²)^(−3/2) or cos⁴⁰t, is narrow where its
+//! base is smallest or largest, and its width is the time in which it changes by a factor of about e.
 
 use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::smooth::{Hidden, Smooth};
 use crate::system::state::State;
 
-/// The number of places of a step at which a series is compared with the equations. The last one is the end of
-/// the step.
+/// The number of places of a step at which a series is compared with the equations. The last one is the end
+/// of the step.
 pub(super) const PLACES: usize = 7;
 
-/// The most steps of the search for a place. Each halves the bracket of its zero at least once in three steps.
+/// The most steps of the search for a place. Each halves the bracket of its zero at least once in three
+/// steps.
 const STEPS: usize = 48;
 
 /// How near, as a part of the width of the function, a place is found.
@@ -28,8 +29,8 @@ const HALVINGS: usize = 5;
 /// sine has six of them in its period then.
 const SMOOTH: f64 = 0.5;
 
-/// Places between the others, in times between these: an argument that varies faster may look smooth at places
-/// that are evenly apart.
+/// Places between the others, in times between these: an argument that varies faster may look smooth at
+/// places that are evenly apart.
 const BETWEEN: [f64; 3] = [1.382, 3.618, 5.236];
 
 /// The places at which every argument is looked at: the start, those of the step, and the first one between.
@@ -251,8 +252,8 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
             return None;
         }
         let shift = -(slope / bend);
-        // A parabola does not place its vertex exactly. So the nearest places share one, and one at an end may
-        // seem to lie beyond.
+        // A parabola does not place its vertex exactly. So the nearest places share one, and one at an end
+        // may seem to lie beyond.
         let reach = |is_outermost| R::from_f64(if is_outermost { 2.0 } else { 0.75 });
         let inside = (shift + reach(place == 1)).min(reach(place + 1 == PLACES) - shift);
         let mut width = self.width(value, slope * shift, bend);
@@ -299,8 +300,8 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
     }
 }
 
-/// The cubic polynomial through four values at places that are one apart, a part of the way from the second to
-/// the third.
+/// The cubic polynomial through four values at places that are one apart, a part of the way from the second
+/// to the third.
 fn cubic<R: Real>(values: &[R], part: f64) -> R {
     let weights = [
         -part * (part - 1.0) * (part - 2.0) / 6.0,
