@@ -1,5 +1,6 @@
 //! Motions in the lanes of SIMD vectors against the same motions one by one.
 
+mod narrow;
 mod shortened;
 
 use lagrangian::prelude::*;

@@ -193,9 +193,9 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
                 }
                 continue;
             }
-            let mut natural = tolerated.min(near) * self.unit;
+            // Lanes that have arrived keep their unit: that of a polynomial in time would grow without end.
+            let mut natural = (tolerated.min(near) * self.unit).where_positive(missing, self.unit);
             if S::STEEP {
-                // Lanes that have arrived keep their unit.
                 natural = probe::restrained(natural, self.last, left.abs()).where_positive(missing, natural);
             }
             let mut length = natural.min(left.abs());

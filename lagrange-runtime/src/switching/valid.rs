@@ -3,7 +3,7 @@
 use super::guards::PLACES;
 use super::place::Event;
 use super::run::{Run, is_beyond_rounding};
-use super::scene::{Scene, Status, above, against, entry, rounding};
+use super::scene::{Scene, Status, above, against, entry, most, rounding};
 use super::{Coefficients, Laws, Row, Switching};
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved};
 use crate::number::elements::array;
@@ -40,9 +40,9 @@ where
         // A friction that slips has one direction.
         let slip = entry(&laws.rows.rates, row);
         let is_one = above(slip.abs(), rounding::<S::Scalar>() * entry(&laws.rows.rate_sizes, row));
-        let lost = rounding::<S::Scalar>() * entry(scales, row);
         let is_valid = |Coefficients { kinetic, fixed }: &Coefficients<S::Scalar, C>| {
             let (kinetic, fixed) = (entry(kinetic, row).part(0), entry(fixed, row).part(0));
+            let lost = rounding::<S::Scalar>() * most(entry(scales, row), fixed);
             // Guards have the squares of coefficients.
             !above(-lost, kinetic) && !above(kinetic - lost, fixed) && (fixed * fixed + kinetic).is_finite()
         };

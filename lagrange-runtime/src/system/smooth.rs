@@ -92,11 +92,11 @@ pub fn hidden<R: Copy, const N: usize, const COUNT: usize, const PLACES: usize>(
     mut visit: impl FnMut(Hidden, [R; PLACES]),
 ) {
     let values = states.each(|State { t, q, v }| at(t, &q, &v));
-    for index in 0..COUNT {
+    (0..COUNT).for_each(|index| {
         let base = (index + powers.len()).checked_sub(COUNT).and_then(|base| powers.get(base));
         let kind = base.map_or(Hidden::Argument, |&power| Hidden::Base(power));
         visit(kind, array(|place| values[place][index]));
-    }
+    });
 }
 
 /// Taylor coefficients of coordinates and velocities, of the orders 1 to `P`.

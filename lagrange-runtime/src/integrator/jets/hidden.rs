@@ -122,7 +122,7 @@ impl<V> Argument<'_, V> {
         let mut apart = end * R::from_f64(1.0 / PLACES as f64);
         let whole = Part { of: self, from: R::zero(), apart, values, end };
         let [range, unit] = whole.range();
-        if !((range - unit).largest() > num_traits::Zero::zero()) {
+        if !any(range - unit) {
             return;
         }
         if whole.is_smooth([range, unit]) {
@@ -162,7 +162,7 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
     /// Whether the places show the course of an argument of this range.
     fn is_smooth(&self, [range, unit]: [R; 2]) -> bool {
         let bound = (R::from_f64(SMOOTH) * range).max(unit);
-        let exceeds = |number: R, bound: R| (number.abs() - bound).largest() > num_traits::Zero::zero();
+        let exceeds = |number: R, bound: R| any(number.abs() - bound);
         let differ = |values: &[R]| match *values {
             [a, b, c, d] => exceeds((d - a) - R::from_f64(3.0) * (c - b), bound),
             _ => false,
@@ -196,7 +196,7 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
             }
             // An argument that passes zero and comes back.
             let turned = (vertex, (self.of.value_at)(vertex));
-            if (-(turned.1 * middle.1)).largest() > num_traits::Zero::zero() {
+            if any(-(turned.1 * middle.1)) {
                 self.crossings(self.at(place - 1), turned, visit);
                 self.crossings(turned, self.at(place + 1), visit);
             }
@@ -211,12 +211,12 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
         let one = R::one();
         // Otherwise the function is no narrower than the places are apart.
         let passes = (-(from.1 * to.1)).min((from.1 - to.1).abs() - one);
-        if !(passes.largest() > num_traits::Zero::zero()) {
+        if !any(passes) {
             return;
         }
         for level in [-one, one] {
             let opposite = passes.min(-((from.1 - level) * (to.1 - level)));
-            if opposite.largest() > num_traits::Zero::zero() {
+            if any(opposite) {
                 visit(self.reaching(level, from, to, opposite));
             }
         }
@@ -248,7 +248,7 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
         let (zero, one, half) = (R::zero(), R::one(), R::from_f64(0.5));
         let [before, (middle, value), after] = [self.at(place - 1), self.at(place), self.at(place + 1)];
         let (slope, bend) = Self::parabola(before.1, value, after.1);
-        if !((bend.abs() - (unit + unit)).largest() > num_traits::Zero::zero()) {
+        if !any(bend.abs() - (unit + unit)) {
             return None;
         }
         let shift = -(slope / bend);
@@ -258,11 +258,11 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
         let inside = (shift + reach(place == 1)).min(reach(place + 1 == PLACES) - shift);
         let mut width = self.width(value, slope * shift, bend);
         let active = inside.min(one - width);
-        if !(active.largest() > num_traits::Zero::zero()) {
+        if !any(active) {
             return None;
         }
         let (mut vertex, mut step) = (middle + shift * self.apart, half * self.apart);
-        width = width * self.apart;
+        width *= self.apart;
         for tried in 0..STEPS {
             let at = vertex.where_positive(active, self.end);
             let (centre, left, right) = ((self.of.value_at)(at), at - step, at + step);
@@ -298,6 +298,11 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
         };
         ((unit + unit) / bend.abs()).sqrt()
     }
+}
+
+/// Whether a number is positive in any lane.
+fn any<R: Real>(number: R) -> bool {
+    number.largest() > num_traits::Zero::zero()
 }
 
 /// The cubic polynomial through four values at places that are one apart, a part of the way from the second
