@@ -12,7 +12,7 @@ use crate::integrator::jets::fall::{predicted, steepest};
 use crate::integrator::jets::probe::{self, Probe};
 use crate::integrator::jets::{NEAR, last_term, orders};
 use crate::number::elements::{Each, array};
-use crate::number::real::Real;
+use crate::number::real::{Real, any};
 use crate::series::HIGHEST;
 use crate::system::attitude;
 use crate::system::error::{Cause, MotionError};
@@ -183,17 +183,18 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
                 continue;
             }
             let near = number(NEAR);
-            let too_small = (near.recip() - tolerated).largest() > zero;
-            let too_large = (tolerated - near).min(left.abs() - self.unit).largest() > zero;
-            if too_small || too_large {
-                // Units far from the steps: coefficients near the ends of the arithmetic.
-                self.unit *= tolerated.max(number(1e-6)).min(number(1e6));
+            let (too_small, too_large) =
+                (near.recip() - tolerated, (tolerated - near).min(left.abs() - self.unit));
+            let is_far = too_small.max(too_large).min(missing);
+            if is_far.largest() > zero {
+                // Units far from the steps: coefficients near the ends of the arithmetic. Other lanes keep
+                // theirs; that of a polynomial in time, or of one that has arrived, would grow without end.
+                self.unit *= tolerated.max(number(1e-6)).min(number(1e6)).where_positive(is_far, one);
                 if (resolution - self.unit).largest() >= zero {
                     return Err(Cause::StepTooSmall);
                 }
                 continue;
             }
-            // Lanes that have arrived keep their unit: that of a polynomial in time would grow without end.
             let mut natural = (tolerated.min(near) * self.unit).where_positive(missing, self.unit);
             if S::STEEP {
                 natural = probe::restrained(natural, self.last, left.abs()).where_positive(missing, natural);
@@ -271,8 +272,12 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         if is_free && !self.last.is_positive() {
             probe.look_ahead(left / self.unit, &mut strongest);
         }
-        while !probe.agrees(length / self.unit, &mut strongest) {
-            length *= S::Scalar::from_f64(0.5);
+        loop {
+            let faults = probe.faults(length / self.unit, &mut strongest);
+            if !any(faults) {
+                break;
+            }
+            length = (length * S::Scalar::from_f64(0.5)).where_positive(faults, length);
             if missing.min(resolution - length).largest() > num_traits::Zero::zero() {
                 return Err(Cause::StepTooSmall);
             }

@@ -364,6 +364,12 @@ pub trait Ordered: Real + PartialOrd {}
 
 impl<R: Real + PartialOrd> Ordered for R {}
 
+/// Whether a number is positive in any lane.
+#[inline]
+pub(crate) fn any<R: Real>(number: R) -> bool {
+    number.largest() > num_traits::Zero::zero()
+}
+
 /// The larger of two ordered scalars; the second if they cannot be compared.
 #[inline]
 pub(crate) fn larger<R: PartialOrd>(a: R, b: R) -> R {

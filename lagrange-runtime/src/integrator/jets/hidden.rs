@@ -7,7 +7,7 @@
 //! base is smallest or largest, and its width is the time in which it changes by a factor of about e.
 
 use crate::number::elements::array;
-use crate::number::real::Real;
+use crate::number::real::{Real, any};
 use crate::system::smooth::{Hidden, Smooth};
 use crate::system::state::State;
 
@@ -75,14 +75,14 @@ where
     S: Smooth<N, K>,
     P: Fn(S::Scalar) -> State<S::Scalar, N>,
 {
-    /// Looks where functions may hide between places, whose states are these, and tells whether all agree.
-    /// Lanes without such a function look at the end of the step.
+    /// Looks where functions may hide between places, whose states are these, and gives the lanes that
+    /// disagree. Lanes without such a function look at the end of the step.
     pub(super) fn look(
         &self,
         states: &[State<S::Scalar, N>; SAMPLES],
-        mut look: impl FnMut(S::Scalar) -> bool,
-    ) -> bool {
-        let (mut agree, mut index) = (true, 0);
+        mut look: impl FnMut(S::Scalar) -> S::Scalar,
+    ) -> S::Scalar {
+        let (mut faults, mut index): (S::Scalar, usize) = (num_traits::Zero::zero(), 0);
         self.system.hidden_along(states, self.inputs, |kind, values| {
             let value_at = |theta| {
                 let (mut found, mut other) = (num_traits::Zero::zero(), 0);
@@ -100,10 +100,10 @@ where
             };
             let argument = Argument { kind, value_at: &value_at };
             let values = values.map(|value| value.part(0));
-            argument.places(values, self.theta, &mut |theta| agree &= look(theta));
+            argument.places(values, self.theta, &mut |theta| faults = faults.max(look(theta)));
             index += 1;
         });
-        agree
+        faults
     }
 }
 
@@ -298,11 +298,6 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
         };
         ((unit + unit) / bend.abs()).sqrt()
     }
-}
-
-/// Whether a number is positive in any lane.
-fn any<R: Real>(number: R) -> bool {
-    number.largest() > num_traits::Zero::zero()
 }
 
 /// The cubic polynomial through four values at places that are one apart, a part of the way from the second

@@ -6,7 +6,7 @@
 
 use super::hidden::{PLACES, Passage, SAMPLES, sample};
 use crate::number::elements::{Each, array};
-use crate::number::real::Real;
+use crate::number::real::{Real, any};
 use crate::system::smooth::{Series, Smooth};
 use crate::system::state::State;
 
@@ -29,37 +29,39 @@ pub(crate) fn restrained<R: Real>(length: R, last: R, left: R) -> R {
     length.min(if last.is_positive() { R::from_f64(GROWTH) * last } else { R::from_f64(FIRST) * left })
 }
 
-/// Whether the equations agree at [`PLACES`] places of the first `theta` units, the last of which is the end,
-/// and between them where a velocity passes zero, since laws of friction have their narrowest features there,
-/// and where functions of a coordinate or of time may [hide](super::hidden). All places are examined, so that
-/// no strong force is missed; `look` is told whether one is the end.
-pub(super) fn agree_along<S, P, const N: usize, const K: usize>(
+/// The lanes in which the equations disagree, at [`PLACES`] places of the first `theta` units, the last of
+/// which is the end, and between them where a velocity passes zero, since laws of friction have their
+/// narrowest features there, and where functions of a coordinate or of time may [hide](super::hidden): one
+/// there, and zero in the others. All places are examined, so that no strong force is missed; `look` gives
+/// the lanes that disagree at one, and is told whether it is the end.
+pub(super) fn faults_along<S, P, const N: usize, const K: usize>(
     passage: &Passage<'_, S, P, N, K>,
     start: &State<S::Scalar, N>,
-    mut look: impl FnMut(S::Scalar, &State<S::Scalar, N>, bool) -> bool,
-) -> bool
+    mut look: impl FnMut(S::Scalar, &State<S::Scalar, N>, bool) -> S::Scalar,
+) -> S::Scalar
 where
     S: Smooth<N, K>,
     P: Fn(S::Scalar) -> State<S::Scalar, N>,
 {
     let (theta, state_at) = (passage.theta, passage.state_at);
     let apart = theta * S::Scalar::from_f64(1.0 / PLACES as f64);
+    let zero: S::Scalar = num_traits::Zero::zero();
     let mut states = [*start; SAMPLES];
-    let (mut place, mut before, mut agree) = (num_traits::Zero::zero(), start.v, true);
+    let (mut place, mut before, mut faults) = (zero, start.v, zero);
     for (index, state) in states.iter_mut().enumerate().take(PLACES + 1).skip(1) {
         let last: S::Scalar = place;
         place += apart;
         *state = state_at(place);
-        agree &= look(place, state, index == PLACES);
+        faults = faults.max(look(place, state, index == PLACES));
         let v = |part: S::Scalar| state_at(last + part * apart).v;
         for part in stops(&before, &state.v, v).into_iter().flatten() {
             let theta = last + part * apart;
-            agree &= look(theta, &state_at(theta), false);
+            faults = faults.max(look(theta, &state_at(theta), false));
         }
         before = state.v;
     }
-    if !agree || !S::STEEP {
-        return agree;
+    if any(faults) || !S::STEEP {
+        return faults;
     }
     if let Some(between) = states.last_mut() {
         *between = state_at(apart * S::Scalar::from_f64(sample(PLACES + 1)));
@@ -67,25 +69,29 @@ where
     passage.look(&states, |theta| look(theta, &state_at(theta), false))
 }
 
-/// Where velocities pass zero between two places: the part of the way.
+/// Where velocities pass zero between two places: the part of the way, and all of it in lanes that do not
+/// stop.
 fn stops<R: Real, const N: usize>(
     before: &[R; N],
     after: &[R; N],
     v: impl Fn(R) -> [R; N],
 ) -> [Option<R>; N] {
+    let one = R::one();
     let passes = |from: R, to: R| (from / (from - to)).part(0);
-    let is_between = |part: R| part.is_positive() && (R::one() - part).is_positive();
+    let inside = |part: R| part.min(one - part);
     array(|i| {
         let (from, to) = (before[i], after[i]);
         let part = passes(from, to);
-        if !is_between(part) {
+        if !any(inside(part)) {
             return None;
         }
+        let part = part.where_positive(inside(part), one);
         // One more secant, since the place may be narrow.
         let middle = v(part)[i];
         let nearer = part * passes(from, middle);
-        let beyond = part + (R::one() - part) * passes(middle, to);
-        Some([nearer, beyond, part].into_iter().find(|&part| is_between(part)).unwrap_or(part))
+        let beyond = part + (one - part) * passes(middle, to);
+        let other = beyond.where_positive(inside(beyond), part);
+        Some(nearer.where_positive(inside(nearer), other))
     })
 }
 
@@ -104,16 +110,14 @@ pub(crate) struct Probe<'a, S: Smooth<N, K>, const N: usize, const K: usize, con
 }
 
 impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, S, N, K, P> {
-    /// Whether the first `theta` units agree with the equations of motion. `known` are the largest
-    /// accelerations so far, whose rounding errors count as agreement. If the series agrees, they include
-    /// those found here.
-    pub fn agrees(&self, theta: S::Scalar, known: &mut [S::Scalar; N]) -> bool {
+    /// The lanes in which the first `theta` units do not agree with the equations of motion: one there, and
+    /// zero in the others. `known` are the largest accelerations so far, whose rounding errors count as
+    /// agreement. Where the series agrees, they include those found here.
+    pub fn faults(&self, theta: S::Scalar, known: &mut [S::Scalar; N]) -> S::Scalar {
         let mut strongest = *known;
-        let agrees = self.compared(theta, &mut strongest);
-        if agrees {
-            *known = strongest;
-        }
-        agrees
+        let faults = self.compared(theta, &mut strongest);
+        *known = array(|i| known[i].where_positive(faults, strongest[i]));
+        faults
     }
 
     /// The strongest accelerations that lie ahead of a state at rest, in the lanes that have one: the forces
@@ -129,21 +133,21 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
     }
 
     /// The comparison. `strongest` always includes all accelerations found.
-    fn compared(&self, theta: S::Scalar, strongest: &mut [S::Scalar; N]) -> bool {
+    fn compared(&self, theta: S::Scalar, strongest: &mut [S::Scalar; N]) -> S::Scalar {
         let span = theta * self.unit;
         let noise = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon();
         let [relative, absolute] = self.tolerances;
         let relative = S::Scalar::from_f64(MARGIN) * relative.max(noise);
         let tiny = S::Scalar::epsilon().powi(4);
-        let mut agrees_at = |theta: S::Scalar, State { t, q, v }: &State<S::Scalar, N>| {
+        let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
+        let mut faults_at = |theta: S::Scalar, State { t, q, v }: &State<S::Scalar, N>| {
             let found = self.system.accelerations_at(self.constants, *t, q, v, self.inputs);
             let expected = self.series.slopes(theta, self.orders).each(|slope| slope / self.unit);
-            let is_finite = found.iter().all(|found| found.is_finite());
             for (strongest, found) in strongest.iter_mut().zip(&found).filter(|(_, found)| found.is_finite())
             {
                 *strongest = strongest.max(found.part(0).abs());
             }
-            (0..S::Scalar::PARTS).fold(is_finite, |agrees, part| {
+            (0..S::Scalar::PARTS).fold(zero, |faults, part| {
                 let pair = |i: usize| [found[i].part(part), expected[i].part(part)];
                 let size = |i: usize| {
                     let speed = self.start.v[i].part(part).abs().max(v[i].part(part).abs());
@@ -155,14 +159,15 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
                     most.max(size(i)).max((self.start.q[i].part(part) / span).abs())
                 };
                 let column = (0..N).filter(|_| part > 0).fold(tiny, whole);
-                (0..N).fold(agrees, |agrees, i| {
+                (0..N).fold(faults, |faults, i| {
                     let mut bound = relative * size(i) + noise * column + tiny;
                     if part == 0 {
                         bound += absolute + noise * (strongest[i] * span).abs();
                     }
                     let [found, expected] = pair(i);
-                    let excess = ((found - expected) * span).abs() - bound;
-                    agrees && excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
+                    // What is no number, or is infinite, is no agreement either.
+                    let apart = ((found - expected) * span).abs();
+                    faults.max(zero.where_positive((bound - apart).part(0), one))
                 })
             })
         };
@@ -173,6 +178,6 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
             State { t: self.start.t + theta * self.unit, q, v }
         };
         let passage = Passage { system: self.system, inputs: self.inputs, state_at: &state_at, theta };
-        agree_along(&passage, self.start, |theta, state, _| agrees_at(theta, state))
+        faults_along(&passage, self.start, |theta, state, _| faults_at(theta, state))
     }
 }

@@ -5,10 +5,10 @@ use super::super::lengths::{Lengths, Verdict};
 use super::super::step_size;
 use super::expansion::{expand, too_small};
 use super::hidden::Passage;
-use super::probe::{self, Probe, agree_along};
+use super::probe::{self, Probe, faults_along};
 use super::{Jets, JetsMemory, singular};
 use crate::number::elements::Each;
-use crate::number::real::{Ordered, Real, larger, smaller};
+use crate::number::real::{Ordered, Real, any, larger, smaller};
 use crate::system::attitude;
 use crate::system::control::Held;
 use crate::system::error::Cause;
@@ -138,9 +138,10 @@ where
             let passage = Passage { system, inputs: &control.0, state_at: &state_at, theta };
             // The end is checked beside this.
             let look = |theta, state: &State<S::Scalar, N>, is_end| {
-                is_end || check.agrees(state, &slopes(theta), landing)
+                let agrees = is_end || check.agrees(state, &slopes(theta), landing);
+                if agrees { num_traits::Zero::zero() } else { num_traits::One::one() }
             };
-            !S::STEEP || agree_along(&passage, &memory.start, look)
+            !S::STEEP || !any(faults_along(&passage, &memory.start, look))
         };
         let last_terms = |landing: &Landing<S::Scalar, N>| {
             theta <= measured
@@ -231,7 +232,7 @@ where
         probe.look_ahead(left / memory.unit, &mut strongest);
     }
     let (mut length, mut is_shorter) = (memory.end.t - start.t, false);
-    while !probe.agrees(length / memory.unit, &mut strongest) {
+    while any(probe.faults(length / memory.unit, &mut strongest)) {
         length *= S::Scalar::from_f64(0.5);
         if step_size::is_below(length.abs(), resolution) {
             let cause = too_small(memory);
