@@ -17,6 +17,10 @@ const STEEPEST: i32 = -8;
 /// enters the coordinate at order nine, and these are ten.
 const FLATTEST: i32 = 16;
 
+/// The most functions whose arguments are looked at in a step. Those of all pairs of hundreds of bodies would
+/// cost more than the step itself.
+const MOST: usize = 256;
+
 /// What such functions depend on, along a motion.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Hidden {
@@ -65,6 +69,8 @@ pub(super) fn hidden(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -
             _ => {}
         }
     }
+    found.hidden.arguments.truncate(MOST);
+    found.hidden.bases.truncate(MOST - found.hidden.arguments.len());
     found.any.then_some(found.hidden)
 }
 

@@ -256,13 +256,11 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
         // may seem to lie beyond.
         let reach = |is_outermost| R::from_f64(if is_outermost { 2.0 } else { 0.75 });
         let inside = (shift + reach(place == 1)).min(reach(place + 1 == PLACES) - shift);
-        let mut width = self.width(value, slope * shift, bend);
-        let active = inside.min(one - width);
+        let active = inside.min(one - self.width(value, slope * shift, bend));
         if !any(active) {
             return None;
         }
-        let (mut vertex, mut step) = (middle + shift * self.apart, half * self.apart);
-        width *= self.apart;
+        let (mut vertex, mut width, mut step) = (middle + shift * self.apart, zero, half * self.apart);
         for tried in 0..STEPS {
             let at = vertex.where_positive(active, self.end);
             let (centre, left, right) = ((self.of.value_at)(at), at - step, at + step);
