@@ -238,8 +238,8 @@ messages! {
     argument_count(name, expected, given) = "`{name}` takes {expected}, {given} given";
     bad_arguments(name) = "`{name}` cannot be called with these arguments; it needs constant counts";
     logarithm_without_base() = "`log` takes its base; the natural logarithm is `ln()`, and there are `log2()` and `log10()`";
-    recursion(cycle) = "these functions call each other without end: `{cycle}`; a helper is inlined and \
-        must not reach itself";
+    recursion(cycle) = "these functions call each other: `{cycle}`; a helper is inlined and must not reach itself, \
+        even where the calls would end; use a loop with a constant count";
     assignment_to_unknown(name) = "there is no variable `{name}` to assign to; declare it with `let mut`";
     assignment_to_self() = "parameters cannot be changed; copy the field into a `let mut` variable";
     assignment_to_record(name) = "a description computes, it does not change `{name}`; copy the value into a \
@@ -318,6 +318,8 @@ messages! {
     branch_on_variable(on, what) = "the branch depends on {on}: {what} is one expression, or several joined by `if` with \
         `<`, `<=`, `>` or `>=` between numbers, also under `&&`, `||` and `!`; decide on constants only, compare in that \
         way, or use smooth functions such as `tanh`";
+    branch_on_count(path) = "the branch depends on the whole number `{path}`: the macro does not know its value or type; \
+        compare it as a number, as in `if ({path} as f64) > 2.0`";
     branch_on_parameter(path) = "the branch depends on the parameter `{path}`: the macro does not know its value; let it \
         be a number and compare it, as in `if {path} > 0.5`";
     unmixed_choice(then, otherwise) = "the sides of this branch on the state are {then} and {otherwise}; let both be \

@@ -41,6 +41,9 @@ pub(super) fn report(
         Some(jets) => {
             let kinematics = turning::described(emission);
             facts.push(jets.describe() + kinematics);
+            if let Some(hidden) = &jets.hidden {
+                facts.push(hidden.describe());
+            }
             if jets.is_momentum_linear() {
                 let line = "in Taylor series: momenta, which are the velocities times constants";
                 skipped.push(line.to_owned());

@@ -35,6 +35,16 @@ impl Hidden {
     pub fn all(&self) -> Vec<NodeId> {
         self.arguments.iter().copied().chain(self.bases.iter().map(|&(base, _)| base)).collect()
     }
+
+    /// The line in `STRUCTURE`.
+    pub fn describe(&self) -> String {
+        let functions = match self.all().len() {
+            0 => return "steep: steps are compared with the equations".to_owned(),
+            1 => "a function".to_owned(),
+            count => format!("{count} functions"),
+        };
+        format!("steep: steps are compared with the equations, also where {functions} may be narrow")
+    }
 }
 
 /// The functions of this kind in the equations; `None` if there are none.

@@ -40,8 +40,11 @@ impl Interpreter<'_> {
                     }
                 }
             }
-            (Value::Integer(..) | Value::Boolean(_), Value::Parameter(id))
-            | (Value::Parameter(id), Value::Integer(..) | Value::Boolean(_)) => {
+            (Value::Integer(..), Value::Parameter(id)) | (Value::Parameter(id), Value::Integer(..)) => {
+                let text = self.parameters.text(*id).to_string();
+                return self.refuse(origin, catalogue::branch_on_count(text));
+            }
+            (Value::Boolean(_), Value::Parameter(id)) | (Value::Parameter(id), Value::Boolean(_)) => {
                 let text = self.parameters.text(*id).to_string();
                 let on = format!("the parameter `{text}`");
                 return self.refuse(origin, catalogue::branch_on_variable(on, self.smooth_thing()));
