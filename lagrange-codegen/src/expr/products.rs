@@ -41,6 +41,7 @@ impl Graph {
         }
         self.collect(&mut flat);
         self.swap(&mut flat, Form::Bounded);
+        self.divide_exponentials(&mut flat);
         if flat.coefficient.is_zero() {
             return self.zero();
         }
@@ -160,6 +161,26 @@ impl Graph {
         }
     }
 
+    /// eˣ/(1 + eˣ) is the logistic function of x, where the product of eˣ with that of −x may be ∞ · 0.
+    fn divide_exponentials(&mut self, flat: &mut Flat) {
+        for index in 0..flat.factors.len() {
+            let (factor, own) = flat.factors[index];
+            let Node::Unary(Unary::Logistic, opposite) = *self.node(factor) else { continue };
+            let x = self.neg(opposite);
+            let exponential = self.unary(Unary::Exp, x);
+            let numerator =
+                flat.factors.iter().position(|&(other, power)| other == exponential && power.0 > 0);
+            if let Some(numerator) = numerator {
+                let shared = own.0.min(flat.factors[numerator].1.0);
+                let logistic = self.unary(Unary::Logistic, x);
+                flat.factors[index].1.0 -= shared;
+                flat.factors[numerator].1.0 -= shared;
+                flat.factors.push((logistic, Exponent(shared)));
+            }
+        }
+        flat.collect();
+    }
+
     /// Collects equal factors, and opens those whose half powers have met: √(x y) · √(x y) is x y.
     fn collect(&mut self, flat: &mut Flat) {
         let mut halves: Vec<NodeId> = Vec::new();
@@ -273,6 +294,9 @@ mod tests {
         assert_eq!(g.powi(logistic, -1), sum);
         let [wide, narrow] = [g.powi(sum, 3), g.powi(logistic, 2)];
         assert_eq!(g.mul(wide, narrow), sum);
+        // The slope of ln(1 + eˣ).
+        let [quotient, rising] = [g.div(exponential, sum), g.unary(Unary::Logistic, x)];
+        assert_eq!(quotient, rising);
         // Beyond 709 the exponential is infinite, and its slope by the rule of quotients no number.
         let slope = crate::calculus::derivative(&mut g, Unary::Logistic, opposite, logistic);
         for x in [-800.0, -3.0, 0.0, 2.0, 800.0_f64] {

@@ -89,7 +89,7 @@ fn names() {
     body(quote!(self.free(q.x)), "`free` does not take `self`; ");
     body(quote!(Self::helper(q.x)), "`helper` takes `self`; ");
     body(quote!(self.helper(q.x, 1.0)), "`helper` takes 1 argument, 2 are given");
-    body(quote!(self.ping(q.x)), "these functions call each other without end: `ping` → `pong` → `ping`; ");
+    body(quote!(self.ping(q.x)), "these functions call each other: `ping` → `pong` → `ping`; ");
     body(quote!(y = q.x; q.x), "there is no variable `y` to assign to; ");
     body(quote!(self.m = q.x; q.x), "parameters cannot be changed; ");
     body(quote!(q.x.sin() += 1.0; q.x), "cannot assign here; ");
