@@ -163,6 +163,7 @@ impl Graph {
 
     /// eˣ/(1 + eˣ) is the logistic function of x, where the product of eˣ with that of −x may be ∞ · 0.
     fn divide_exponentials(&mut self, flat: &mut Flat) {
+        let mut divided = false;
         for index in 0..flat.factors.len() {
             let (factor, own) = flat.factors[index];
             let Node::Unary(Unary::Logistic, opposite) = *self.node(factor) else { continue };
@@ -176,9 +177,12 @@ impl Graph {
                 flat.factors[index].1.0 -= shared;
                 flat.factors[numerator].1.0 -= shared;
                 flat.factors.push((logistic, Exponent(shared)));
+                divided = true;
             }
         }
-        flat.collect();
+        if divided {
+            flat.collect();
+        }
     }
 
     /// Collects equal factors, and opens those whose half powers have met: √(x y) · √(x y) is x y.

@@ -47,7 +47,8 @@ impl Hidden {
     }
 }
 
-/// The functions of this kind in the equations; `None` if there are none.
+/// Finds what the functions in the equations depend on that can hide from a series. `None` means that no
+/// function can.
 pub(super) fn hidden(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -> Option<Hidden> {
     let mut found = Found::default();
     for id in graph.cone(roots.iter().copied()) {

@@ -170,7 +170,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
             self.expand(orders, direction)?;
             let one: S::Scalar = num_traits::One::one();
             let mut tolerated = self.tolerated(orders, one);
-            if (number(0.5) - tolerated).largest() > zero {
+            if any(number(0.5) - tolerated) {
                 // In a unit much longer than the step the first terms are no measure of the size.
                 tolerated = self.tolerated(orders, tolerated.min(one));
             }
@@ -186,7 +186,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
             let (too_small, too_large) =
                 (near.recip() - tolerated, (tolerated - near).min(left.abs() - self.unit));
             let is_far = too_small.max(too_large).min(missing);
-            if is_far.largest() > zero {
+            if any(is_far) {
                 // Units far from the steps: coefficients near the ends of the arithmetic. Other lanes keep
                 // theirs; that of a polynomial in time, or of one that has arrived, would grow without end.
                 self.unit *= tolerated.max(number(1e-6)).min(number(1e6)).where_positive(is_far, one);
@@ -203,7 +203,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
             if S::STEEP {
                 length = self.probed(length, orders, direction, left.abs(), [missing, resolution])?;
             }
-            if missing.min(resolution - length).largest() > zero {
+            if any(missing.min(resolution - length)) {
                 return Err(Cause::StepTooSmall);
             }
             if S::CONSTRAINED {
@@ -278,7 +278,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
                 break;
             }
             length = (length * S::Scalar::from_f64(0.5)).where_positive(faults, length);
-            if missing.min(resolution - length).largest() > num_traits::Zero::zero() {
+            if any(missing.min(resolution - length)) {
                 return Err(Cause::StepTooSmall);
             }
         }
@@ -347,7 +347,7 @@ fn tolerated<S: Smooth<N, K>, const N: usize, const K: usize>(
         weigh(of_v(part), &series.v, part);
     }
     let mut worst = last.max(early);
-    if (early - last).largest() > num_traits::Zero::zero() {
+    if any(early - last) {
         let mut by_fall = zero;
         for part in 0..S::Scalar::PARTS {
             let weights = [of_q(part), of_v(part)];

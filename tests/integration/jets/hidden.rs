@@ -6,50 +6,32 @@ use std::f64::consts::PI;
 use lagrangian::prelude::*;
 use lagrangian::{Batch, Smooth};
 
+use super::line::line;
 use crate::support::close::{between, close_on};
 
-/// A mass on a line under a potential, a force, or both.
-macro_rules! line {
-    ($name:ident, |$self:ident, $q:ident, $v:ident, $t:ident| $potential:expr, $force:expr) => {
-        struct $name {
-            width: f64,
-        }
-
-        #[lagrangian(coordinates = [x], allow(no_effect))]
-        impl $name {
-            #[point(mass = 1.0)]
-            fn mass(&self, q: &Coordinates) -> Vector1<f64> {
-                Vector1::new(q.x)
-            }
-
-            #[potential]
-            fn potential(&$self, $q: &Coordinates) -> f64 {
-                $potential
-            }
-
-            #[force(on = x)]
-            fn force(&$self, $v: &Velocities, $t: f64) -> f64 {
-                $force
-            }
-        }
-    };
-}
-
-line!(Barrier, |self, q, _v, _t| (-(q.x / self.width).powi(2)).exp(), 0.0);
-line!(Friction, |self, q, v, _t| 50.0 * q.x * q.x, -(v.x / self.width).tanh());
-line!(Switch, |self, q, _v, t| 0.5 * q.x * q.x, 0.5 * (1.0 + ((t - 5.0) / self.width).tanh()));
-line!(Pulse, |self, q, _v, t| 0.0 * q.x, (-((t - 50.0) / self.width).powi(2)).exp());
-line!(SwitchAtRest, |self, q, _v, t| 0.0 * q.x, 0.5 * (1.0 + ((t - 5.0) / self.width).tanh()));
+line!(Barrier { width }, |self, q, _v, _t| (-(q.x / self.width).powi(2)).exp(), 0.0);
+line!(Friction { width }, |self, q, v, _t| 50.0 * q.x * q.x, -(v.x / self.width).tanh());
+line!(Switch { width }, |self, q, _v, t| 0.5 * q.x * q.x, 0.5 * (1.0 + ((t - 5.0) / self.width).tanh()));
+line!(Pulse { width }, |self, q, _v, t| 0.0 * q.x, (-((t - 50.0) / self.width).powi(2)).exp());
+line!(SwitchAtRest { width }, |self, q, _v, t| 0.0 * q.x, 0.5 * (1.0 + ((t - 5.0) / self.width).tanh()));
 line!(
-    Floor,
+    Floor { width },
     |self, q, _v, _t| 9.81 * q.x + 5e4 * (self.width * (-q.x / self.width).exp().ln_1p()).powi(2),
     0.0
 );
-line!(Sech, |self, q, _v, _t| (q.x / self.width).cosh().powi(-2), 0.0);
-line!(Morse, |self, q, _v, _t| (1.0 - (-q.x / self.width).exp()).powi(2), 0.0);
-line!(LennardJones, |self, q, _v, _t| (self.width / q.x).powi(12) - (self.width / q.x).powi(6), 0.0);
-line!(WoodsSaxon, |self, q, _v, _t| 1.0 / (1.0 + (-q.x / self.width).exp()), 0.0);
-line!(Smoothed, |self, q, v, _t| 50.0 * q.x * q.x, -v.x / (v.x * v.x + self.width * self.width).sqrt());
+line!(Sech { width }, |self, q, _v, _t| (q.x / self.width).cosh().powi(-2), 0.0);
+line!(Morse { width }, |self, q, _v, _t| (1.0 - (-q.x / self.width).exp()).powi(2), 0.0);
+line!(
+    LennardJones { width },
+    |self, q, _v, _t| (self.width / q.x).powi(12) - (self.width / q.x).powi(6),
+    0.0
+);
+line!(WoodsSaxon { width }, |self, q, _v, _t| 1.0 / (1.0 + (-q.x / self.width).exp()), 0.0);
+line!(
+    Smoothed { width },
+    |self, q, v, _t| 50.0 * q.x * q.x,
+    -v.x / (v.x * v.x + self.width * self.width).sqrt()
+);
 
 /// The same motion by both methods at several tolerances.
 fn same<S>(name: &str, system: &S, start: State<f64, 1>, t: f64)

@@ -8,6 +8,7 @@ mod failures;
 mod functions;
 mod gaps;
 mod hidden;
+mod line;
 mod mechanics;
 mod narrow;
 mod oracle;

@@ -17,8 +17,10 @@ pub(super) fn hidden(emission: &Emission<'_>, jets: &Jets) -> String {
     let body = turning::entry(emission)
         + &body::plain(emission.model, scalar, &all, body::Source::Slices, |values| values.list());
     format!(
-        "{steep}fn hidden_along<const PLACES: usize>(\n&self, __states: &[lagrange::State<{scalar}, {count}>; PLACES], \
-         u: &{inputs}, __visit: impl ::core::ops::FnMut(lagrange::Hidden, [{scalar}; PLACES]),\n) {{\n\
-         lagrange::jets::hidden(__states, &{powers:?}, |t, q: &{vector}, v: &{vector}| {{\n{body}\n}}, __visit);\n}}\n"
+        "{steep}fn hidden_along<const PLACES: usize>(\n\
+         &self, __states: &[lagrange::State<{scalar}, {count}>; PLACES], u: &{inputs}, \
+         __visit: impl ::core::ops::FnMut(lagrange::Hidden, [{scalar}; PLACES]),\n) {{\n\
+         lagrange::jets::hidden(__states, &{powers:?}, |t, q: &{vector}, v: &{vector}| {{\n\
+         {body}\n}}, __visit);\n}}\n"
     )
 }

@@ -10,7 +10,7 @@ use crate::integrator::landing::energy::{blurred, energy};
 use crate::integrator::lengths::{PARTS, enough};
 use crate::linear::determined;
 use crate::number::elements::Each;
-use crate::number::real::Real;
+use crate::number::real::{Real, any};
 use crate::system::System;
 use crate::system::error::Cause;
 use crate::system::metric::Metric;
@@ -77,7 +77,7 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
                 None => S::Scalar::from_f64(HALF) * length,
             };
             length = other.where_positive(excess, length);
-            if missing.min(resolution - length).largest() > num_traits::Zero::zero() {
+            if any(missing.min(resolution - length)) {
                 return Err(cause);
             }
         }
