@@ -112,7 +112,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     if diagnostics.has_errors() {
         return None;
     }
-    let jets = jets::derive(&mut model, solved, &[]);
+    let (hidden, jets) = jets::derive(&mut model, solved, &[]);
     let orders = jets.as_ref().map(|jets| Expansions::plan(&mut model, solved, &solution, jets));
     contacts_stand_alone(item, &model, diagnostics);
     let switching =
@@ -129,6 +129,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
         solved,
         facts: &facts,
         solution: &solution,
+        hidden: hidden.as_ref(),
         jets: jets.as_ref(),
         orders: orders.as_ref(),
         method: None,

@@ -133,7 +133,8 @@ pub mod __private {
     pub use crate::series::columns::Columns;
     pub use crate::series::tables::Tables;
     pub use crate::system::footing::Apart;
-    pub use crate::system::smooth::{Hidden, Series, Smooth};
+    pub use crate::system::hidden::{Hidden, hidden};
+    pub use crate::system::smooth::{Series, Smooth};
     pub use crate::system::state::State;
     pub mod saddle {
         //! Saddle-point systems of constrained mechanics.
@@ -149,7 +150,6 @@ pub mod __private {
         pub use crate::series::tables::{
             Convolutions, Pairs, in_line, in_turn, index, multiplier, rate, time,
         };
-        pub use crate::system::smooth::hidden;
     }
     pub use crate::analysis::verify::{self, Certificate, Verifiable, Violation};
     pub use crate::switching::{

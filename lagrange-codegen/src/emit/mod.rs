@@ -10,6 +10,7 @@ mod eliminated;
 mod equations;
 mod events;
 mod gather;
+mod hidden;
 mod jets;
 mod linearization;
 mod meanings;
@@ -36,7 +37,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::diagnostics::Diagnostics;
-use crate::jets::Jets;
+use crate::jets::{Hidden, Jets};
 use crate::mechanics::Equations;
 use crate::model::{Constraint, Model};
 use crate::orders::Expansions;
@@ -66,6 +67,8 @@ pub(crate) struct Emission<'a> {
     pub solved: &'a Equations,
     pub facts: &'a Facts,
     pub solution: &'a Solution,
+    /// What functions depend on that can hide from a step; `None` without such functions.
+    pub hidden: Option<&'a Hidden>,
     /// The recurrences of a smooth system.
     pub jets: Option<&'a Jets>,
     /// The operations of an order.

@@ -86,6 +86,7 @@ pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items
         solved: switching.turned.as_ref().unwrap_or(&switching.equations),
         facts: &switching.facts,
         solution: &switching.solution,
+        hidden: switching.hidden.as_ref(),
         jets: switching.jets.as_ref(),
         orders: switching.orders.as_ref(),
         method: None,

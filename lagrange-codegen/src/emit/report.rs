@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::block::Evaluation;
 use super::{Emission, regimes, turning};
+use crate::jets::Hidden;
 use crate::regimes::LOAD;
 use crate::regimes::Regimes;
 use crate::schedule::Operations;
@@ -41,9 +42,6 @@ pub(super) fn report(
         Some(jets) => {
             let kinematics = turning::described(emission);
             facts.push(jets.describe() + kinematics);
-            if let Some(hidden) = &jets.hidden {
-                facts.push(hidden.describe());
-            }
             if jets.is_momentum_linear() {
                 let line = "in Taylor series: momenta, which are the velocities times constants";
                 skipped.push(line.to_owned());
@@ -56,6 +54,8 @@ pub(super) fn report(
     }
     facts.extend(after.loops.describe());
     facts.extend(switching.into_iter().flat_map(regimes::facts));
+    let hidden = switching.map_or(emission.hidden, |switching| switching.hidden.as_ref());
+    facts.extend(hidden.map(Hidden::describe));
     let coordinates: Vec<String> =
         emission.model.coordinates.iter().map(|quantity| quantity.written()).collect();
     let count = coordinates.len();

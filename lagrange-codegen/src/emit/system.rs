@@ -3,6 +3,7 @@
 use super::Emission;
 use super::block::{self, Evaluation, Known, Loops, Values};
 use super::body::{self, Source};
+use super::hidden::hidden;
 use super::names::Names;
 use super::parts::{Kind, Part};
 use super::turning;
@@ -75,6 +76,7 @@ pub(super) fn system(emission: &mut Emission<'_>) -> (String, Evaluation) {
             arguments(&check)
         ));
     }
+    text.push_str(&hidden(emission));
     text.push_str(&format!(
         "#[inline]\nfn energy_at(&self, _constants: &Self::Constants, t: {scalar}, q: &{vector}, v: &{vector}) -> {scalar} \
          {{\nself.energy(&{STATE})\n}}\n"

@@ -56,9 +56,13 @@ pub const FEW: usize = 16;
 /// of larger systems only the plainest are made.
 const COMPARABLE: usize = 4_000;
 
-/// The recurrences of a system on the sides of its switches; `None` if its equations have kinks or jumps,
-/// where no series exists.
-pub fn derive(model: &mut Model, equations: &Equations, switches: &[Switch]) -> Option<Jets> {
+/// What depends on the state of a system on the sides of its switches and can hide from a step, if anything
+/// can; and the recurrences, `None` if the equations have kinks or jumps, where no series exists.
+pub fn derive(
+    model: &mut Model,
+    equations: &Equations,
+    switches: &[Switch],
+) -> (Option<Hidden>, Option<Jets>) {
     let count = equations.momenta.len();
     let conditions = &equations.conditions;
     let mut roots: Vec<NodeId> = equations.momenta.iter().chain(&equations.momentum_rates).copied().collect();
@@ -67,10 +71,21 @@ pub fn derive(model: &mut Model, equations: &Equations, switches: &[Switch]) -> 
     roots.extend(conditions.relaxation.iter().flatten());
     let scope = Scope { coordinates: count, turning: &equations.turning, switches };
     let hidden = steep::hidden(&mut model.graph, &roots, switches);
+    (hidden, shortest(&mut *model, equations, scope, (roots, restrictions)))
+}
+
+/// The shortest recurrences.
+fn shortest(
+    model: &mut Model,
+    equations: &Equations,
+    scope: Scope<'_>,
+    (mut roots, restrictions): (Vec<NodeId>, Restrictions),
+) -> Option<Jets> {
+    let conditions = &equations.conditions;
     let (followed, along) = followed::of(&mut model.graph, equations, scope);
     roots.extend(&followed);
     let counts = Counts {
-        coordinates: count,
+        coordinates: scope.coordinates,
         constraints: conditions.count(),
         relaxed: conditions.relaxation.is_some(),
         followed: followed.len(),
@@ -104,7 +119,6 @@ pub fn derive(model: &mut Model, equations: &Equations, switches: &[Switch]) -> 
     }
     if let Some(jets) = &mut best {
         jets.gradients = restrictions.gradients;
-        jets.hidden = hidden;
         jets.along = along;
     }
     best

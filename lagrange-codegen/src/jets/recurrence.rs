@@ -1,8 +1,8 @@
 //! When each coefficient of an order is known, and which convolutions there are.
 
+use super::Counts;
 use super::auxiliary::{Auxiliary, Relation, Value};
 use super::followed::Along;
-use super::{Counts, Hidden};
 use crate::collections::Lookup;
 use crate::expr::{NodeId, Variable};
 use crate::schedule::{Instruction, Program, Slot};
@@ -92,8 +92,6 @@ pub struct Jets {
     vanishing: Vec<bool>,
     /// All slots, operands first.
     pub order: Vec<Slot>,
-    /// What functions depend on that can hide from a series; `None` without such functions.
-    pub hidden: Option<Hidden>,
 }
 
 impl Jets {
@@ -144,7 +142,6 @@ impl Jets {
             rates,
             reactions,
             conditions,
-            hidden: None,
             gradients: Vec::new(),
             relaxation,
             followed,

@@ -15,7 +15,7 @@ pub use sliding::Coefficients;
 
 use crate::diagnostics::Diagnostics;
 use crate::expr::{Exponent, Graph, NodeId, Variable};
-use crate::jets::{self, Jets};
+use crate::jets::{self, Hidden, Jets};
 use crate::mechanics::{self, Conditions, Equations, LoadRow};
 use crate::model::{Constraint, ConstraintKind, Contact, Law, Model, Normal};
 use crate::number::Number;
@@ -60,6 +60,8 @@ pub struct Regimes {
     pub facts: Facts,
     /// How they are solved.
     pub solution: Solution,
+    /// What can hide from its steps, if anything can.
+    pub hidden: Option<Hidden>,
     /// The recurrences of its series; `None` if even one regime is not smooth.
     pub jets: Option<Jets>,
     /// The operations of these recurrences, an order at a time.
@@ -182,7 +184,7 @@ pub fn derive(
     let of_solved = Facts::of(&regime, solved);
     let solution = Solution::plan(&mut regime, (&equations, &facts), (solved, &of_solved), diagnostics)?;
     let sides: Vec<jets::Switch> = switches.kinks.iter().copied().zip(guards.kinks.iter().copied()).collect();
-    let jets = jets::derive(&mut regime, solved, &sides);
+    let (hidden, jets) = jets::derive(&mut regime, solved, &sides);
     let orders = jets.as_ref().map(|jets| Expansions::plan(&mut regime, solved, &solution, jets));
     if contacts.is_empty() && jets.is_none() {
         return None;
@@ -205,6 +207,7 @@ pub fn derive(
         turned,
         facts,
         solution,
+        hidden,
         jets,
         orders,
         laws_of,

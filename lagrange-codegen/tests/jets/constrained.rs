@@ -85,7 +85,7 @@ fn coefficients(values: impl Fn(f64) -> Vec<f64>) -> Vec<Vec<f64>> {
 /// Checks the recurrences of a description. An error says what is wrong.
 fn check(model: &mut Model, equations: &Equations, recurrences: &Equations) -> Result<(), String> {
     let (count, held) = (equations.force.len(), equations.conditions.count());
-    let jets = jets::derive(model, recurrences, &[]).ok_or("the system is not smooth")?;
+    let jets = jets::derive(model, recurrences, &[]).1.ok_or("the system is not smooth")?;
     let series = unknowns(&jets, count, ORDERS, &start);
     // The motion by its series.
     let velocity = |i: usize, h: f64| {

@@ -20,7 +20,7 @@ fn derived(args: TokenStream, item: TokenStream) -> (Model, Equations, Option<Je
     let mut model = lower::lower(&item, &mut diagnostics);
     let equations =
         mechanics::derive(&mut model, true, &|_| false, &mut diagnostics).expect("there is a motion");
-    let jets = jets::derive(&mut model, &equations, &[]);
+    let (_, jets) = jets::derive(&mut model, &equations, &[]);
     (model, equations, jets)
 }
 

@@ -1,5 +1,6 @@
 //! Dormand–Prince 8(5,3) as a method that chooses its own steps ([`Adaptive`]).
 
+mod narrow;
 mod passage;
 mod reach;
 
@@ -17,6 +18,7 @@ use crate::system::error::{Cause, MotionError};
 use crate::system::limits::Limits;
 use crate::system::method::{Adaptive, Steps};
 use crate::system::state::State;
+use narrow::halve;
 
 /// Dormand–Prince 8(5,3): an explicit Runge–Kutta method of order 8 with dense output, for any system.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -180,6 +182,34 @@ where
         exactly: bool,
         attempts: &mut u64,
     ) -> Result<(), MotionError<S::Scalar>> {
+        if !S::STEEP {
+            return self.stride(memory, limits, target, exactly, attempts);
+        }
+        let ground = memory.ground;
+        loop {
+            self.stride(memory, limits, target, exactly, attempts)?;
+            if !self.misses(memory, limits) {
+                return Ok(());
+            }
+            halve(memory);
+            memory.ground = ground;
+            let start = memory.end.state.t;
+            if step_size::is_below(memory.length(), Dop853Memory::<_, N>::resolution(start)) {
+                return Err(MotionError { cause: Cause::StepTooSmall, t: start });
+            }
+        }
+    }
+
+    /// The same without a search for narrow functions inside the step.
+    #[inline]
+    fn stride(
+        &self,
+        memory: &mut Dop853Memory<S::Scalar, N>,
+        limits: &Limits<S::Scalar>,
+        target: S::Scalar,
+        exactly: bool,
+        attempts: &mut u64,
+    ) -> Result<(), MotionError<S::Scalar>> {
         if let Some(settled) = attitude::settle(S::ORIENTATIONS, &memory.end.state) {
             memory.restart(settled);
         }
@@ -226,8 +256,7 @@ where
             Check { system: self.system, constants: self.constants, inputs: &inputs, limits, from: &from };
         let failed = |cause| MotionError { cause, t: from.t };
         let mut length = (memory.end.state.t - from.t).abs();
-        let resolution =
-            S::Scalar::from_f64(4.0) * S::Scalar::epsilon() * from.t.abs() + step_size::smallest();
+        let resolution = Dop853Memory::<_, N>::resolution(from.t);
         let longest = larger(natural, length);
         let mut lengths =
             Lengths::new(ground.determined, &ground.here, limits.relative, [longest, longest, length]);

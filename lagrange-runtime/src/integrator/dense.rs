@@ -9,7 +9,7 @@ use super::Field;
 use super::dop853::Dop853Memory;
 use super::slopes::{Slope, combine, reach};
 use super::tableau::dop853::{A, C, D, STAGES, STAGES_DENSE};
-use crate::number::elements::Each;
+use crate::number::elements::{Each, array};
 use crate::number::real::Ordered;
 use crate::system::error::Cause;
 use crate::system::state::State;
@@ -18,6 +18,42 @@ use crate::system::state::State;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Dense<R, const N: usize> {
     coefficients: [Slope<R, N>; 7],
+}
+
+impl<R: Ordered, const N: usize> Dense<R, N> {
+    /// The state at a part of a step of `h` \[s] from `start`.
+    #[inline]
+    pub(crate) fn at(&self, start: &State<R, N>, h: R, part: R) -> State<R, N> {
+        let (from_start, from_end) = (part, R::one() - part);
+        let mut state = start.at_time(start.t + part * h);
+        let c = &self.coefficients;
+        for n in 0..N {
+            let (mut q, mut v) = (c[6].q[n], c[6].v[n]);
+            for (i, c) in c.iter().enumerate().take(6).rev() {
+                let x = if i % 2 == 1 { from_start } else { from_end };
+                q = c.q[n] + x * q;
+                v = c.v[n] + x * v;
+            }
+            state.q[n] += from_start * q;
+            state.v[n] += from_start * v;
+        }
+        state
+    }
+
+    /// Derivatives of the velocities by the part of the step.
+    #[cold]
+    pub(crate) fn slopes(&self, part: R) -> [R; N] {
+        let (from_start, from_end) = (part, R::one() - part);
+        let c = &self.coefficients;
+        array(|n| {
+            let (mut v, mut slope) = (c[6].v[n], R::zero());
+            for (i, c) in c.iter().enumerate().take(6).rev() {
+                let (x, direction) = if i % 2 == 1 { (from_start, v) } else { (from_end, -v) };
+                (v, slope) = (c.v[n] + x * v, x * slope + direction);
+            }
+            v + from_start * slope
+        })
+    }
 }
 
 impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
@@ -34,25 +70,20 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         if part == R::zero() {
             return Ok(*start);
         }
-        let h = end.t - start.t;
-        let (from_start, from_end) = (part, R::one() - part);
-        let mut state = start.at_time(start.t + part * h);
-        let dense = match self.dense {
-            Some(dense) => dense,
-            None => self.interpolate(f)?,
-        };
-        let c = &dense.coefficients;
-        for n in 0..N {
-            let (mut q, mut v) = (c[6].q[n], c[6].v[n]);
-            for (i, c) in c.iter().enumerate().take(6).rev() {
-                let x = if i % 2 == 1 { from_start } else { from_end };
-                q = c.q[n] + x * q;
-                v = c.v[n] + x * v;
-            }
-            state.q[n] += from_start * q;
-            state.v[n] += from_start * v;
+        let (start, h) = (*start, end.t - start.t);
+        Ok(self.polynomial(f)?.at(&start, h, part))
+    }
+
+    /// The polynomial of the step.
+    #[inline]
+    pub(crate) fn polynomial<F>(&mut self, f: &F) -> Result<Dense<R, N>, Cause>
+    where
+        F: Field<R, N>,
+    {
+        match self.dense {
+            Some(dense) => Ok(dense),
+            None => self.interpolate(f),
         }
-        Ok(state)
     }
 
     /// Forms and keeps the polynomial.

@@ -155,7 +155,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
     }
 
     /// The shortest step that can be told from none at time `t` \[s].
-    fn resolution(t: R) -> R {
+    pub(crate) fn resolution(t: R) -> R {
         R::from_f64(4.0) * R::epsilon() * t.abs() + step_size::smallest::<R>()
     }
 

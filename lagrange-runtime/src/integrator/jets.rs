@@ -15,7 +15,6 @@
 
 mod expansion;
 pub(crate) mod fall;
-mod hidden;
 mod memory;
 pub(crate) mod paced;
 pub(crate) mod probe;

@@ -5,9 +5,11 @@
 //! [`Jets`], Taylor series for smooth systems, and [`Dop853`], Dormand–Prince 8(5,3).
 
 pub(crate) mod adaptive;
+pub(crate) mod agreement;
 pub(crate) mod dense;
 pub(crate) mod dop853;
 mod gauss;
+mod hidden;
 mod jet;
 pub(crate) mod jets;
 pub(crate) mod landing;

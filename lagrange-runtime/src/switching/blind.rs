@@ -11,9 +11,9 @@ use super::place::Event;
 use super::run::Run;
 use super::valid::Found;
 use super::{Row, Switching};
-use crate::integrator::jets::probe::{MARGIN, NOISE};
+use crate::integrator::agreement::Agreement;
 use crate::number::elements::{Each, array};
-use crate::number::real::{Ordered, Real, larger};
+use crate::number::real::{Ordered, Real, any};
 use crate::system::System;
 use crate::system::control::Held;
 use crate::system::error::Cause;
@@ -65,7 +65,8 @@ where
 
     /// Whether the equations give the accelerations of the polynomial at a state after a part of the step.
     /// `None` for a step without a polynomial, and for equations without a value.
-    fn agrees(&self, State { t, q, v }: &State<S::Scalar, N>, part: S::Scalar) -> Option<bool> {
+    fn agrees(&self, state: &State<S::Scalar, N>, part: S::Scalar) -> Option<bool> {
+        let State { t, q, v } = state;
         let number = S::Scalar::from_f64;
         let memory = &*self.memory;
         let terms = M::terms(&memory.inner)?;
@@ -80,14 +81,13 @@ where
         if !found.iter().all(|found| found.is_finite()) {
             return None;
         }
-        let span = theta * terms.unit;
-        let tolerance = number(MARGIN) * larger(self.limits.relative, number(NOISE) * S::Scalar::epsilon());
         let absolute = self.limits.absolute.unwrap_or(S::Scalar::zero());
-        Some((0..N).all(|i| {
-            let size = larger(memory.start.v[i].abs(), v[i].abs());
-            let strength = larger(found[i].abs(), expected[i].abs()) * span.abs();
-            let lacks = ((found[i] - expected[i]) * span).part(0).abs();
-            lacks <= tolerance * larger(size, strength).part(0) + absolute
-        }))
+        let agreement = Agreement {
+            start: &memory.start,
+            span: theta * terms.unit,
+            tolerances: [self.limits.relative, absolute],
+        };
+        let mut strongest = [S::Scalar::zero(); N];
+        Some(!any(agreement.faults(state, [&found, &expected], &mut strongest)))
     }
 }

@@ -12,8 +12,9 @@ use crate::number::real::Real;
 use crate::system::System;
 use crate::system::error::Cause;
 use crate::system::footing::Footing;
+use crate::system::hidden::Hidden;
 use crate::system::name::{Name, Names};
-use crate::system::smooth::{Hidden, Series, Smooth};
+use crate::system::smooth::{Series, Smooth};
 use crate::system::state::State;
 
 /// A system whose time is counted from an instant on.
@@ -54,6 +55,7 @@ impl<I: System<N, K> + Copy, const N: usize, const K: usize> System<N, K> for In
     const CONSTRAINED: bool = I::CONSTRAINED;
     const COUPLED: bool = I::COUPLED;
     const CONSERVES_ENERGY: bool = I::CONSERVES_ENERGY;
+    const STEEP: bool = I::STEEP;
 
     #[inline]
     fn constants(&self) -> Self::Constants {
@@ -105,6 +107,16 @@ impl<I: System<N, K> + Copy, const N: usize, const K: usize> System<N, K> for In
         self.moved(state, |state| self.in_regime.land_at(constants, state, inputs))
     }
 
+    fn hidden_along<const PLACES: usize>(
+        &self,
+        states: &[State<Self::Scalar, N>; PLACES],
+        inputs: &[[Self::Scalar; K]; PLACES],
+        visit: impl FnMut(Hidden, [Self::Scalar; PLACES]),
+    ) {
+        let at_times = states.each(|state| state.at_time(self.instant + state.t));
+        self.in_regime.hidden_along(&at_times, inputs, visit);
+    }
+
     fn tangential_at(&self, state: &State<Self::Scalar, N>, change: &[Self::Scalar; N]) -> [Self::Scalar; N] {
         self.in_regime.tangential_at(&state.at_time(self.instant + state.t), change)
     }
@@ -123,7 +135,6 @@ impl<I: System<N, K> + Copy, const N: usize, const K: usize> System<N, K> for In
 // Compiler messages about a system without a series are to name the user's, not this one.
 #[diagnostic::do_not_recommend]
 impl<I: Smooth<N, K> + Copy, const N: usize, const K: usize> Smooth<N, K> for InRegimeSince<I, I::Scalar> {
-    const STEEP: bool = I::STEEP;
     const SHARES_PIVOTS: bool = I::SHARES_PIVOTS;
     type JetConstants = I::JetConstants;
     type Tables<const P: usize> = I::Tables<P>;
@@ -146,16 +157,6 @@ impl<I: Smooth<N, K> + Copy, const N: usize, const K: usize> Smooth<N, K> for In
         series: &mut Series<Self::Scalar, N, P>,
     ) -> bool {
         self.in_regime.jet_at(constants, self.instant + t, q, v, u, h, orders, tables, series)
-    }
-
-    fn hidden_along<const PLACES: usize>(
-        &self,
-        states: &[State<Self::Scalar, N>; PLACES],
-        u: &[Self::Scalar; K],
-        visit: impl FnMut(Hidden, [Self::Scalar; PLACES]),
-    ) {
-        let at_times = states.each(|state| state.at_time(self.instant + state.t));
-        self.in_regime.hidden_along(&at_times, u, visit);
     }
 
     fn followed<const P: usize>(tables: &Self::Tables<P>) -> [&[Self::Scalar]; 2] {

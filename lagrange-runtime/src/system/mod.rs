@@ -6,6 +6,7 @@ pub mod control;
 pub mod digits;
 pub mod error;
 pub mod footing;
+pub mod hidden;
 pub mod limits;
 pub mod linearized;
 pub mod method;
@@ -28,6 +29,7 @@ use crate::system::attitude::BodyAxes;
 use control::Held;
 use error::{Cause, MotionError};
 use footing::{Apart, Footing};
+use hidden::Hidden;
 use method::{Adaptive, FixedStep};
 use metric::Metric;
 use name::Names;
@@ -103,6 +105,23 @@ pub trait System<const N: usize, const K: usize = 0> {
         _v: &[Self::Scalar; N],
     ) -> Result<(), Cause> {
         Ok(())
+    }
+
+    /// Whether a function in the equations can hide from a step. Exponentials, hyperbolic functions and high
+    /// powers vanish beside other terms, or underflow, a few of their widths away. Steps under error control
+    /// are then compared with the equations where such functions may be narrow; those of series at other
+    /// places, too, and they grow with restraint.
+    const STEEP: bool = false;
+
+    /// Visits the functions that can hide ([`STEEP`](Self::STEEP)), those of one kind after the other: what
+    /// they are functions of, at each of these states, with inputs for each.
+    #[doc(hidden)]
+    fn hidden_along<const PLACES: usize>(
+        &self,
+        _states: &[State<Self::Scalar, N>; PLACES],
+        _inputs: &[[Self::Scalar; K]; PLACES],
+        _visit: impl FnMut(Hidden, [Self::Scalar; PLACES]),
+    ) {
     }
 
     /// Whether constraints restrict the states.

@@ -1,10 +1,9 @@
 //! [`Smooth`]: systems whose motion has a Taylor series, and the series.
 
 use crate::linear::Independence;
-use crate::number::elements::{Each, array};
+use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::System;
-use crate::system::state::State;
 
 /// A system whose motion is analytic, with the recurrences of its Taylor coefficients.
 ///
@@ -18,11 +17,6 @@ use crate::system::state::State;
             contacts and dry friction"
 )]
 pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
-    /// Whether a function in the equations can hide from a series. Exponentials, hyperbolic functions and
-    /// high powers vanish beside other terms, or underflow, a few of their widths away. Steps under error
-    /// control are then compared with the equations at some points, and grow with restraint.
-    const STEEP: bool = false;
-
     /// Whether the mass matrix is factored with pivots that all lanes of a vector share, so that rounding
     /// errors of a lane depend on the others.
     const SHARES_PIVOTS: bool = false;
@@ -53,17 +47,6 @@ pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
         series: &mut Series<Self::Scalar, N, P>,
     ) -> bool;
 
-    /// Visits the functions that can hide from a series ([`STEEP`](Self::STEEP)), those of one kind after the
-    /// other: what they are functions of, at each of these states.
-    #[doc(hidden)]
-    fn hidden_along<const PLACES: usize>(
-        &self,
-        _states: &[State<Self::Scalar, N>; PLACES],
-        _u: &[Self::Scalar; K],
-        _visit: impl FnMut(Hidden, [Self::Scalar; PLACES]),
-    ) {
-    }
-
     /// Coefficients of reactions and of functions of the state along the series that `tables` belong to, of a
     /// system whose equations switch: of reactions from order zero to the one below that of the series, of
     /// functions from the first order on, the rows of an order side by side.
@@ -71,32 +54,6 @@ pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
     fn followed<const P: usize>(_tables: &Self::Tables<P>) -> [&[Self::Scalar]; 2] {
         [&[]; 2]
     }
-}
-
-/// A function that can hide from a series, by what its narrow place depends on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Hidden {
-    /// The argument of a function such as tanh: one is its width.
-    Argument,
-    /// The base of this power or its inverse: the function is narrow where the base is smallest or largest.
-    Base(u32),
-}
-
-/// Visits functions that can hide. `at` gives what they depend on at a state: arguments, and at the end the
-/// bases of these powers.
-#[inline]
-pub fn hidden<R: Copy, const N: usize, const COUNT: usize, const PLACES: usize>(
-    states: &[State<R, N>; PLACES],
-    powers: &[u32],
-    at: impl Fn(R, &[R; N], &[R; N]) -> [R; COUNT],
-    mut visit: impl FnMut(Hidden, [R; PLACES]),
-) {
-    let values = states.each(|State { t, q, v }| at(t, &q, &v));
-    (0..COUNT).for_each(|index| {
-        let base = (index + powers.len()).checked_sub(COUNT).and_then(|base| powers.get(base));
-        let kind = base.map_or(Hidden::Argument, |&power| Hidden::Base(power));
-        visit(kind, array(|place| values[place][index]));
-    });
 }
 
 /// Taylor coefficients of coordinates and velocities, of the orders 1 to `P`.

@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use lagrangian::prelude::*;
-use lagrangian::{Batch, Smooth};
+use lagrangian::{Batch, Dop853, Smooth};
 
 use super::line::line;
 use crate::support::close::{close, close_on};
@@ -47,7 +47,7 @@ fn many(seed: u64, check: impl Fn(f64, f64, f64, &mut Samples)) {
     }
 }
 
-/// The velocity after some time, by a motion and by a lane.
+/// The velocity after some time, by a motion, by a lane and by another method.
 fn velocity<S>(system: &S, start: State<f64, 1>, tolerance: f64, t: f64) -> f64
 where
     S: Smooth<1, Scalar = f64, Method = Jets>,
@@ -55,7 +55,14 @@ where
     let end = *system.simulate(start).with_tolerance(tolerance).advance_to(t).unwrap();
     let lane = Batch::new(system, start).with_tolerance(tolerance).advance_to(t).unwrap().v[0];
     close_on(1.0, lane, end.v[0], 1e3 * tolerance);
+    let other = by_stages(system, start, tolerance, t);
+    close_on(1.0, other, end.v[0], 1e4 * tolerance);
     end.v[0]
+}
+
+/// The same by a method whose steps know the equations at their stages alone.
+fn by_stages<S: System<1, Scalar = f64>>(system: &S, start: State<f64, 1>, tolerance: f64, t: f64) -> f64 {
+    system.simulate_with::<Dop853>(start).with_tolerance(tolerance).advance_to(t).unwrap().v[0]
 }
 
 #[test]
@@ -158,10 +165,73 @@ fn bumps_hold_a_bead_on_a_ring() {
         let start = State::new([angle.cos(), angle.sin()], [-speed * angle.sin(), speed * angle.cos()]);
         let ring = Ring { width, height };
         let mut motion = ring.simulate(start).with_tolerance(tolerance);
+        let mut other = ring.simulate_with::<Dop853>(start).with_tolerance(tolerance);
         for time in [3.0, 10.0, 30.0] {
-            let place = motion.advance_to(time).unwrap().q[0];
-            assert!(place > 0.0, "{width} {height} {tolerance} {start:?}: {place}");
+            let places = [motion.advance_to(time), other.advance_to(time)].map(|state| state.unwrap().q[0]);
+            assert!(
+                places.iter().all(|&place| place > 0.0),
+                "{width} {height} {tolerance} {start:?}: {places:?}"
+            );
         }
+    });
+}
+
+line!(
+    Slope { width, height },
+    |self, q, _v, _t| self.height * (-(q.x / self.width).powi(2)).exp() + 0.1 * q.x.max(0.0),
+    0.0
+);
+
+#[test]
+fn bumps_turn_a_body_back_before_a_kink() {
+    many(6, |width, height, tolerance, samples| {
+        let speed = samples.number(0.2, 0.9) * (2.0 * height).sqrt();
+        let start = State::new([-samples.number(3.0, 30.0)], [speed]);
+        let slope = Slope { width, height };
+        let end = *slope.simulate(start).with_tolerance(tolerance).advance_to(200.0).unwrap();
+        close(end.v[0], -speed, 1e4 * tolerance);
+        close(by_stages(&slope, start, tolerance, 200.0), -speed, 1e4 * tolerance);
+    });
+}
+
+/// A mass on a line that an input pushes, and a bump.
+struct Pushed {
+    width: f64,
+    height: f64,
+}
+
+#[lagrangian(coordinates = [x], inputs = [push])]
+impl Pushed {
+    #[point(mass = 1.0)]
+    fn mass(&self, q: &Coordinates) -> Vector1<f64> {
+        Vector1::new(q.x)
+    }
+
+    #[potential]
+    fn bump(&self, q: &Coordinates) -> f64 {
+        self.height * (-(q.x / self.width).powi(2)).exp()
+    }
+
+    #[force(on = x)]
+    fn pushed(&self, u: &Inputs) -> f64 {
+        u.push
+    }
+}
+
+#[test]
+fn bumps_turn_a_body_back_that_a_law_of_the_state_drives() {
+    many(7, |width, height, tolerance, samples| {
+        let speed = samples.number(0.2, 0.9) * (2.0 * height).sqrt();
+        // The law is a weak spring to where the body starts, which it passes again after it has turned.
+        let from = -samples.number(3.0, 5.0);
+        let start = State::new([from], [speed]);
+        let pushed = Pushed { width, height };
+        let law = |state: &State<f64, 1>| [1e-3 * (from - state.q[0])];
+        let mut motion = pushed.simulate(start).with_control(law).with_tolerance(tolerance);
+        let end = *motion.advance_to(200.0).unwrap();
+        assert!(end.q[0] < 0.0, "{width} {height} {tolerance} {start:?}: {end:?}");
+        let energy = |state: &State<f64, 1>| pushed.energy(state) + 0.5e-3 * (state.q[0] - from).powi(2);
+        close_on(1.0, energy(&end), energy(&start), 1e4 * tolerance);
     });
 }
 

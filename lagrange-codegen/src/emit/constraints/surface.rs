@@ -4,6 +4,7 @@ use super::super::block::{Evaluation, Values};
 use super::{factored, filled_switches, gradients, gradients_type, pattern, record_ident, saddle_type};
 use crate::emit::block;
 use crate::emit::body::{self, Source};
+use crate::emit::hidden::hidden;
 use crate::emit::names::Names;
 use crate::emit::{Emission, names_of_parts as names};
 use crate::expr::NodeId;
@@ -119,7 +120,13 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
         pattern(emission, method),
         gradients_type(emission, method)
     );
-    Implementations { system: system + &project + &lands + &energy, constants, surface, parts, evaluation }
+    Implementations {
+        system: system + &project + &lands + &hidden(emission) + &energy,
+        constants,
+        surface,
+        parts,
+        evaluation,
+    }
 }
 
 /// The body of `equations_at`, and the inherent function with `body`, which evaluates without factoring.

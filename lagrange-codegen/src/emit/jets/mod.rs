@@ -7,7 +7,6 @@
 //! | `followed` | the coefficients of reactions and of followed functions, if there are any |
 
 mod constants;
-mod hidden;
 mod names;
 mod solvers;
 mod tiles;
@@ -82,14 +81,13 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
     let shares_pivots = emission.solution.blocks.iter().any(|block| matches!(block.method, Method::Lu));
     // Types are spelled out: if the trait is not found, `Self::Tables` would be a second error.
     format!(
-        "{}{}type JetConstants = {constants_type};\n\
+        "{}type JetConstants = {constants_type};\n\
          type Tables<const ORDERS: usize> = lagrange::{tables};\n\
          #[inline]\nfn jet_constants(&self) -> {constants_type} {{\n{constants_body}\n}}\n\
          #[inline]\nfn jet_at<const ORDERS: usize>(\n&self, {}: &{constants_type}, {}: {scalar}, \
          {}: &{vector}, v: &{vector}, \
          {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut lagrange::{tables}, \
          series: &mut lagrange::Series<{scalar}, {count}, ORDERS>,\n) -> bool {{\n{items}{}\n}}\n{along}",
-        hidden::hidden(emission, jets),
         if shares_pivots { "const SHARES_PIVOTS: bool = true;\n" } else { "" },
         named(factored || !hoisted.is_empty(), "constants"),
         named(reads.time, "t"),

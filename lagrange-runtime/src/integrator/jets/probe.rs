@@ -4,9 +4,11 @@
 //! switch that is thrown later) is not in its coefficients, and their decay says nothing of it. So the
 //! accelerations are compared at some places of the step with those of the polynomial.
 
-use super::hidden::{PLACES, Passage, SAMPLES, sample};
+use super::super::agreement::Agreement;
+use super::super::hidden::{PLACES, Passage, SAMPLES, sample};
 use crate::number::elements::{Each, array};
 use crate::number::real::{Real, any};
+use crate::system::control::{Control, Held};
 use crate::system::smooth::{Series, Smooth};
 use crate::system::state::State;
 
@@ -16,13 +18,6 @@ const GROWTH: f64 = 2.0;
 /// The largest first step, as a part of the time to go.
 const FIRST: f64 = 1.0 / 16.0;
 
-/// Allowed difference of the accelerations, in tolerances. At the end of a step the truncated series differs
-/// from the motion by a few of them.
-pub(crate) const MARGIN: f64 = 16.0;
-
-/// Uncertainty of accelerations, in ulps of the largest one.
-pub(crate) const NOISE: f64 = 256.0;
-
 /// Limits the growth of a step of this `length`, so that it does not jump over what is far away. `last` is
 /// the length of the step before it, or zero, and `left` the time to go.
 pub(crate) fn restrained<R: Real>(length: R, last: R, left: R) -> R {
@@ -31,16 +26,17 @@ pub(crate) fn restrained<R: Real>(length: R, last: R, left: R) -> R {
 
 /// The lanes in which the equations disagree, at [`PLACES`] places of the first `theta` units, the last of
 /// which is the end, and between them where a velocity passes zero, since laws of friction have their
-/// narrowest features there, and where functions of a coordinate or of time may [hide](super::hidden): one
-/// there, and zero in the others. All places are examined, so that no strong force is missed; `look` gives
-/// the lanes that disagree at one, and is told whether it is the end.
-pub(super) fn faults_along<S, P, const N: usize, const K: usize>(
-    passage: &Passage<'_, S, P, N, K>,
+/// narrowest features there, and where functions of a coordinate or of time may
+/// [hide](super::super::hidden): one there, and zero in the others. All places are examined, so that no
+/// strong force is missed; `look` gives the lanes that disagree at one, and is told whether it is the end.
+pub(super) fn faults_along<S, C, P, const N: usize, const K: usize>(
+    passage: &Passage<'_, S, C, P, N, K>,
     start: &State<S::Scalar, N>,
     mut look: impl FnMut(S::Scalar, &State<S::Scalar, N>, bool) -> S::Scalar,
 ) -> S::Scalar
 where
     S: Smooth<N, K>,
+    C: Control<S::Scalar, N, K>,
     P: Fn(S::Scalar) -> State<S::Scalar, N>,
 {
     let (theta, state_at) = (passage.theta, passage.state_at);
@@ -134,42 +130,12 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
 
     /// The comparison. `strongest` always includes all accelerations found.
     fn compared(&self, theta: S::Scalar, strongest: &mut [S::Scalar; N]) -> S::Scalar {
-        let span = theta * self.unit;
-        let noise = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon();
-        let [relative, absolute] = self.tolerances;
-        let relative = S::Scalar::from_f64(MARGIN) * relative.max(noise);
-        let tiny = S::Scalar::epsilon().powi(4);
-        let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
-        let mut faults_at = |theta: S::Scalar, State { t, q, v }: &State<S::Scalar, N>| {
+        let agreement = Agreement { start: self.start, span: theta * self.unit, tolerances: self.tolerances };
+        let mut faults_at = |theta: S::Scalar, state: &State<S::Scalar, N>| {
+            let State { t, q, v } = state;
             let found = self.system.accelerations_at(self.constants, *t, q, v, self.inputs);
             let expected = self.series.slopes(theta, self.orders).each(|slope| slope / self.unit);
-            for (strongest, found) in strongest.iter_mut().zip(&found).filter(|(_, found)| found.is_finite())
-            {
-                *strongest = strongest.max(found.part(0).abs());
-            }
-            (0..S::Scalar::PARTS).fold(zero, |faults, part| {
-                let pair = |i: usize| [found[i].part(part), expected[i].part(part)];
-                let size = |i: usize| {
-                    let speed = self.start.v[i].part(part).abs().max(v[i].part(part).abs());
-                    pair(i).iter().fold(speed, |size, &x| size.max((x * span).abs()))
-                };
-                // A derivative is a sum over its whole column, whose rounding errors it has however small it
-                // is itself: those of velocities, and those of coordinates divided by the step.
-                let whole = |most: S::Scalar, i: usize| {
-                    most.max(size(i)).max((self.start.q[i].part(part) / span).abs())
-                };
-                let column = (0..N).filter(|_| part > 0).fold(tiny, whole);
-                (0..N).fold(faults, |faults, i| {
-                    let mut bound = relative * size(i) + noise * column + tiny;
-                    if part == 0 {
-                        bound += absolute + noise * (strongest[i] * span).abs();
-                    }
-                    let [found, expected] = pair(i);
-                    // What is no number, or is infinite, is no agreement either.
-                    let apart = ((found - expected) * span).abs();
-                    faults.max(zero.where_positive((bound - apart).part(0), one))
-                })
-            })
+            agreement.faults(state, [&found, &expected], strongest)
         };
         let state_at = |theta: S::Scalar| {
             let (gain_q, gain_v) = self.series.gain(theta, self.orders);
@@ -177,7 +143,8 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
             let (q, v) = (moved(&self.start.q, &gain_q), moved(&self.start.v, &gain_v));
             State { t: self.start.t + theta * self.unit, q, v }
         };
-        let passage = Passage { system: self.system, inputs: self.inputs, state_at: &state_at, theta };
+        let passage =
+            Passage { system: self.system, control: &Held(*self.inputs), state_at: &state_at, theta };
         faults_along(&passage, self.start, |theta, state, _| faults_at(theta, state))
     }
 }

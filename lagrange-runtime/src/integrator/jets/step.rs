@@ -1,10 +1,10 @@
 //! One step: expansion, length, end.
 
+use super::super::hidden::Passage;
 use super::super::landing::{Check, Determined, Landing};
 use super::super::lengths::{Lengths, Verdict};
 use super::super::step_size;
 use super::expansion::{expand, too_small};
-use super::hidden::Passage;
 use super::probe::{self, Probe, faults_along};
 use super::{Jets, JetsMemory, singular};
 use crate::number::elements::Each;
@@ -135,7 +135,7 @@ where
         let slopes = |theta| memory.series.slopes(theta, memory.orders).each(|slope| slope / memory.unit);
         let on_the_way = |landing: &Landing<S::Scalar, N>| {
             let state_at = |theta| memory.state_at(theta);
-            let passage = Passage { system, inputs: &control.0, state_at: &state_at, theta };
+            let passage = Passage { system, control, state_at: &state_at, theta };
             // The end is checked beside this.
             let look = |theta, state: &State<S::Scalar, N>, is_end| {
                 let agrees = is_end || check.agrees(state, &slopes(theta), landing);

@@ -6,13 +6,15 @@
 //! in which the argument changes by one. A power, such as (x² + ε²)^(−3/2) or cos⁴⁰t, is narrow where its
 //! base is smallest or largest, and its width is the time in which it changes by a factor of about e.
 
-use crate::number::elements::array;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Real, any};
-use crate::system::smooth::{Hidden, Smooth};
+use crate::system::System;
+use crate::system::control::Control;
+use crate::system::hidden::Hidden;
 use crate::system::state::State;
 
-/// The number of places of a step at which a series is compared with the equations. The last one is the end
-/// of the step.
+/// The number of places of a step at which arguments are looked at, and a series is compared with the
+/// equations. The last one is the end of the step.
 pub(super) const PLACES: usize = 7;
 
 /// The most steps of the search for a place. Each halves the bracket of its zero at least once in three
@@ -42,9 +44,9 @@ pub(super) fn sample(index: usize) -> f64 {
 }
 
 /// A step, and the functions that may hide in it.
-pub(super) struct Passage<'a, S: Smooth<N, K>, P, const N: usize, const K: usize> {
+pub(super) struct Passage<'a, S: System<N, K>, C, P, const N: usize, const K: usize> {
     pub(super) system: &'a S,
-    pub(super) inputs: &'a [S::Scalar; K],
+    pub(super) control: &'a C,
     /// The state a part of the step after its start.
     pub(super) state_at: &'a P,
     /// The length of the step.
@@ -70,9 +72,10 @@ struct Part<'a, R, V> {
     end: R,
 }
 
-impl<S, P, const N: usize, const K: usize> Passage<'_, S, P, N, K>
+impl<S, C, P, const N: usize, const K: usize> Passage<'_, S, C, P, N, K>
 where
-    S: Smooth<N, K>,
+    S: System<N, K>,
+    C: Control<S::Scalar, N, K>,
     P: Fn(S::Scalar) -> State<S::Scalar, N>,
 {
     /// Looks where functions may hide between places, whose states are these, and gives the lanes that
@@ -83,19 +86,18 @@ where
         mut look: impl FnMut(S::Scalar) -> S::Scalar,
     ) -> S::Scalar {
         let (mut faults, mut index): (S::Scalar, usize) = (num_traits::Zero::zero(), 0);
-        self.system.hidden_along(states, self.inputs, |kind, values| {
+        let inputs = states.each(|state| self.control.inputs(&state));
+        self.system.hidden_along(states, &inputs, |kind, values| {
             let value_at = |theta| {
                 let (mut found, mut other) = (num_traits::Zero::zero(), 0);
-                self.system.hidden_along(
-                    &[(self.state_at)(theta)],
-                    self.inputs,
-                    |_, [value]: [S::Scalar; 1]| {
-                        if other == index {
-                            found = value.part(0);
-                        }
-                        other += 1;
-                    },
-                );
+                let state = (self.state_at)(theta);
+                let inputs = [self.control.inputs(&state)];
+                self.system.hidden_along(&[state], &inputs, |_, [value]| {
+                    if other == index {
+                        found = value.part(0);
+                    }
+                    other += 1;
+                });
                 found
             };
             let argument = Argument { kind, value_at: &value_at };
@@ -144,19 +146,23 @@ impl<V> Argument<'_, V> {
     }
 }
 
+/// The range of what a function depends on, and the least change of it that makes a difference.
+pub(super) fn range<R: Real, const LENGTH: usize>(kind: Hidden, values: &[R; LENGTH]) -> [R; 2] {
+    let first = values[0];
+    let (mut low, mut high, mut least) = (first, first, first.abs());
+    for &value in values {
+        (low, high, least) = (low.min(value), high.max(value), least.min(value.abs()));
+    }
+    let unit = match kind {
+        Hidden::Argument => R::one(),
+        Hidden::Base(power) => least / R::from_f64(f64::from(power)),
+    };
+    [high - low, unit]
+}
+
 impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
-    /// The range of the argument, and the least change that makes a difference to the function.
     fn range(&self) -> [R; 2] {
-        let first = self.values[0];
-        let (mut low, mut high, mut least) = (first, first, first.abs());
-        for &value in &self.values {
-            (low, high, least) = (low.min(value), high.max(value), least.min(value.abs()));
-        }
-        let unit = match self.of.kind {
-            Hidden::Argument => R::one(),
-            Hidden::Base(power) => least / R::from_f64(f64::from(power)),
-        };
-        [high - low, unit]
+        range(self.of.kind, &self.values)
     }
 
     /// Whether the places show the course of an argument of this range.
@@ -203,19 +209,20 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
         }
     }
 
-    /// Visits the places at which an argument is one and minus one, where it passes zero.
+    /// Visits the places at which an argument passes one and minus one.
     fn crossings(&self, from: (R, R), to: (R, R), visit: &mut impl FnMut(R)) {
         if self.of.kind != Hidden::Argument {
             return;
         }
         let one = R::one();
-        // Otherwise the function is no narrower than the places are apart.
-        let passes = (-(from.1 * to.1)).min((from.1 - to.1).abs() - one);
-        if !any(passes) {
+        // Otherwise one of the places lies within the function.
+        let wide = (from.1 - to.1).abs() - (one + one);
+        if !any(wide) {
             return;
         }
+        // Zero may be one of the two places. A force may be none there.
         for level in [-one, one] {
-            let opposite = passes.min(-((from.1 - level) * (to.1 - level)));
+            let opposite = wide.min(-((from.1 - level) * (to.1 - level)));
             if any(opposite) {
                 visit(self.reaching(level, from, to, opposite));
             }
@@ -311,84 +318,4 @@ fn cubic<R: Real>(values: &[R], part: f64) -> R {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use std::vec::Vec;
-
-    /// The places that are visited on a step of length one.
-    fn visited(kind: Hidden, argument: impl Fn(f64) -> f64) -> Vec<f64> {
-        let values = array(|index| argument(sample(index) / PLACES as f64));
-        let mut visited = Vec::new();
-        Argument { kind, value_at: &argument }.places(values, 1.0, &mut |theta| visited.push(theta));
-        visited
-    }
-
-    #[test]
-    fn narrow_functions_are_met_on_both_sides_of_their_middle() {
-        for width in [1e-2, 1e-5, 1e-9] {
-            for middle in [0.003, 0.1, 0.5, 0.77, 0.995] {
-                // A bend of the argument between the places.
-                let bent = |t: f64| t + 0.3 * t * t;
-                let along = |t: f64| (bent(t) - bent(middle)) / width;
-                let found = visited(Hidden::Argument, along);
-                let signs = [-1.0, 1.0].into_iter().filter(|&sign| along(0.0) < sign && sign < along(1.0));
-                assert_eq!(found.len(), signs.clone().count(), "{width} {middle}");
-                for (theta, sign) in found.iter().zip(signs) {
-                    assert!((along(*theta) - sign).abs() < 0.3, "{width} {middle}: {}", along(*theta));
-                }
-                // The first or last place sees one that is so near.
-                if along(0.0).abs().min(along(1.0).abs()) < 1.0 {
-                    continue;
-                }
-                let found = visited(Hidden::Argument, |t| -along(t).powi(2));
-                assert!(!found.is_empty() && found.len() % 3 == 0, "{width} {middle}");
-                for (theta, expected) in found.iter().zip([0.0, 1.0, 1.0].into_iter().cycle()) {
-                    assert!(
-                        (along(*theta).abs() - expected).abs() < 0.3,
-                        "{width} {middle} {found:?} {}",
-                        along(*theta)
-                    );
-                }
-                let found = visited(Hidden::Base(1), |t| 1e-6 + 1e-6 * along(t).powi(2));
-                assert!(found.iter().any(|&theta| along(theta).abs() < 0.3), "{width} {middle} {found:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn wide_functions_are_left_to_the_places_of_the_step() {
-        assert!(visited(Hidden::Argument, |t| 5.0 * (t - 0.4)).is_empty());
-        assert!(visited(Hidden::Argument, |t| -(5.0 * (t - 0.4)).powi(2)).is_empty());
-        assert!(visited(Hidden::Base(1), |t| 1.0 + (5.0 * (t - 0.4)).powi(2)).is_empty());
-    }
-
-    #[test]
-    fn all_passages_of_an_argument_that_varies_fast_are_met() {
-        let along = |t: f64| (20.0 * t + 0.1).sin() / 1e-6;
-        let zeros = 1..=6;
-        let found = visited(Hidden::Argument, along);
-        for zero in zeros.clone() {
-            let place = (f64::from(zero) * core::f64::consts::PI - 0.1) / 20.0;
-            assert!(
-                found.iter().filter(|&&theta| (theta - place).abs() < 1e-6).count() >= 2,
-                "{zero} {found:?}"
-            );
-        }
-        let found = visited(Hidden::Argument, |t| -along(t).powi(2));
-        for zero in zeros {
-            let place = (f64::from(zero) * core::f64::consts::PI - 0.1) / 20.0;
-            assert!(
-                found.iter().filter(|&&theta| (theta - place).abs() < 1e-6).count() >= 3,
-                "{zero} {found:?}"
-            );
-        }
-    }
-
-    #[test]
-    fn an_argument_that_comes_back_between_two_places_is_met_where_it_passes_zero() {
-        let along = |t: f64| 1e9 * ((t - 0.52).powi(2) - 1e-4);
-        let found = visited(Hidden::Argument, along);
-        let near = |place: f64| found.iter().filter(|&&theta| (theta - place).abs() < 1e-4).count();
-        assert!([0.51, 0.52, 0.53].into_iter().all(|place| near(place) >= 2), "{found:?}");
-    }
-}
+mod tests;

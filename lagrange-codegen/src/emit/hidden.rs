@@ -1,11 +1,10 @@
-//! Functions that can hide from a series: what they depend on, at states along a step.
+//! Functions that can hide from a step: what they depend on, at states along it.
 
 use super::{Emission, body, turning};
-use crate::jets::Jets;
 
-/// The items of the trait; none if no function can hide.
-pub(super) fn hidden(emission: &Emission<'_>, jets: &Jets) -> String {
-    let Some(hidden) = &jets.hidden else { return String::new() };
+/// The items of `System`; none if no function can hide.
+pub(super) fn hidden(emission: &Emission<'_>) -> String {
+    let Some(hidden) = emission.hidden else { return String::new() };
     let steep = "const STEEP: bool = true;\n";
     let all = hidden.all();
     if all.is_empty() {
@@ -18,9 +17,9 @@ pub(super) fn hidden(emission: &Emission<'_>, jets: &Jets) -> String {
         + &body::plain(emission.model, scalar, &all, body::Source::Slices, |values| values.list());
     format!(
         "{steep}fn hidden_along<const PLACES: usize>(\n\
-         &self, __states: &[lagrange::State<{scalar}, {count}>; PLACES], u: &{inputs}, \
+         &self, __states: &[lagrange::State<{scalar}, {count}>; PLACES], __inputs: &[{inputs}; PLACES], \
          __visit: impl ::core::ops::FnMut(lagrange::Hidden, [{scalar}; PLACES]),\n) {{\n\
-         lagrange::jets::hidden(__states, &{powers:?}, |t, q: &{vector}, v: &{vector}| {{\n\
+         lagrange::hidden(__states, __inputs, &{powers:?}, |t, q: &{vector}, v: &{vector}, u: &{inputs}| {{\n\
          {body}\n}}, __visit);\n}}\n"
     )
 }

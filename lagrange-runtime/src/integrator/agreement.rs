@@ -1,0 +1,62 @@
+//! Whether accelerations of a polynomial through a step are those of the equations of motion.
+
+use crate::number::real::Real;
+use crate::system::state::State;
+
+/// Allowed difference of the accelerations, in tolerances. At the end of a step the truncated series, or the
+/// polynomial of a Runge–Kutta method, differs from the motion by a few of them.
+pub(crate) const MARGIN: f64 = 16.0;
+
+/// Uncertainty of accelerations, in ulps of the largest one.
+pub(crate) const NOISE: f64 = 256.0;
+
+/// A step, and what its polynomial may be off.
+pub(crate) struct Agreement<'a, R, const N: usize> {
+    pub start: &'a State<R, N>,
+    /// The length of the step \[s], with its sign.
+    pub span: R,
+    /// Tolerances of velocities, relative and absolute.
+    pub tolerances: [R; 2],
+}
+
+impl<R: Real, const N: usize> Agreement<'_, R, N> {
+    /// The lanes in which accelerations at a state of the step differ from those of the polynomial: one
+    /// there, and zero in the others. `strongest` are the largest accelerations so far, whose rounding errors
+    /// count as agreement; they then include those found here.
+    pub fn faults(
+        &self,
+        State { v, .. }: &State<R, N>,
+        [found, expected]: [&[R; N]; 2],
+        strongest: &mut [R; N],
+    ) -> R {
+        let span = self.span;
+        let noise = R::from_f64(NOISE) * R::epsilon();
+        let [relative, absolute] = self.tolerances;
+        let relative = R::from_f64(MARGIN) * relative.max(noise);
+        let (zero, one, tiny) = (R::zero(), R::one(), R::epsilon().powi(4));
+        for (strongest, found) in strongest.iter_mut().zip(found).filter(|(_, found)| found.is_finite()) {
+            *strongest = strongest.max(found.part(0).abs());
+        }
+        (0..R::PARTS).fold(zero, |faults, part| {
+            let pair = |i: usize| [found[i].part(part), expected[i].part(part)];
+            let size = |i: usize| {
+                let speed = self.start.v[i].part(part).abs().max(v[i].part(part).abs());
+                pair(i).iter().fold(speed, |size, &x| size.max((x * span).abs()))
+            };
+            // A derivative is a sum over its whole column, whose rounding errors it has however small it is
+            // itself: those of velocities, and those of coordinates divided by the step.
+            let whole = |most: R, i: usize| most.max(size(i)).max((self.start.q[i].part(part) / span).abs());
+            let column = (0..N).filter(|_| part > 0).fold(tiny, whole);
+            (0..N).fold(faults, |faults, i| {
+                let mut bound = relative * size(i) + noise * column + tiny;
+                if part == 0 {
+                    bound += absolute + noise * (strongest[i] * span).abs();
+                }
+                let [found, expected] = pair(i);
+                // What is no number, or is infinite, is no agreement either.
+                let apart = ((found - expected) * span).abs();
+                faults.max(zero.where_positive((bound - apart).part(0), one))
+            })
+        })
+    }
+}

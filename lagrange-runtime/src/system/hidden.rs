@@ -1,0 +1,34 @@
+//! Functions that can hide from a step of a motion, by what they depend on.
+
+use crate::number::elements::array;
+use crate::system::state::State;
+
+/// A function that can hide from a step, by what its narrow place depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hidden {
+    /// The argument of a function such as tanh: one is its width.
+    Argument,
+    /// The base of this power or its inverse: the function is narrow where the base is smallest or largest.
+    Base(u32),
+}
+
+/// Visits functions that can hide. `at` gives what they depend on at a state: arguments, and at the end the
+/// bases of these powers.
+#[inline]
+pub fn hidden<R: Copy, const N: usize, const K: usize, const COUNT: usize, const PLACES: usize>(
+    states: &[State<R, N>; PLACES],
+    inputs: &[[R; K]; PLACES],
+    powers: &[u32],
+    at: impl Fn(R, &[R; N], &[R; N], &[R; K]) -> [R; COUNT],
+    mut visit: impl FnMut(Hidden, [R; PLACES]),
+) {
+    let values: [_; PLACES] = array(|place| {
+        let State { t, q, v } = &states[place];
+        at(*t, q, v, &inputs[place])
+    });
+    (0..COUNT).for_each(|index| {
+        let base = (index + powers.len()).checked_sub(COUNT).and_then(|base| powers.get(base));
+        let kind = base.map_or(Hidden::Argument, |&power| Hidden::Base(power));
+        visit(kind, array(|place| values[place][index]));
+    });
+}
