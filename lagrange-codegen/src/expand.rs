@@ -10,6 +10,7 @@ use crate::emit::{
     ANALYSIS_METHODS, COMPLETIONS, CONSTRAINT_METHODS, Emission, METHODS, STATE_METHOD, emit,
     is_force_on_place, stubs,
 };
+use crate::expr::NodeId;
 use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::orders::Expansions;
@@ -112,6 +113,9 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     if diagnostics.has_errors() {
         return None;
     }
+    let events: Vec<NodeId> = model.events.iter().map(|event| event.value).collect();
+    let in_events: Vec<_> =
+        events.iter().map(|&event| jets::hidden(&mut model.graph, &[event], &[])).collect();
     let (hidden, jets) = jets::derive(&mut model, solved, &[]);
     let orders = jets.as_ref().map(|jets| Expansions::plan(&mut model, solved, &solution, jets));
     contacts_stand_alone(item, &model, diagnostics);
@@ -130,6 +134,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
         facts: &facts,
         solution: &solution,
         hidden: hidden.as_ref(),
+        in_events: &in_events,
         jets: jets.as_ref(),
         orders: orders.as_ref(),
         method: None,

@@ -5,6 +5,7 @@ use quote::{format_ident, quote};
 
 use super::Emission;
 use super::body::{self, Source};
+use super::hidden;
 use crate::syntax::Item;
 use crate::syntax::item::{Function, RoleKind};
 
@@ -26,8 +27,8 @@ pub(super) fn events(emission: &Emission<'_>) -> Items {
     }
     let (item, state) = (emission.item, emission.state_type());
     let mut methods = String::new();
-    let mut arms = Vec::new();
-    for event in events {
+    let (mut arms, mut narrow) = (Vec::new(), Vec::new());
+    for (event, hidden) in events.iter().zip(emission.in_events) {
         let method = format_ident!("__event_{}", event.name);
         let body = body::plain(emission.model, &emission.scalar, &[event.value], Source::State, |values| {
             values.join(", ")
@@ -37,10 +38,32 @@ pub(super) fn events(emission: &Emission<'_>) -> Items {
             emission.scalar
         ));
         let variant = format_ident!("{}", camel(&event.name));
+        let visits = format!("{method}_hidden");
+        if let Some(text) = hidden::in_event(emission, hidden.as_ref(), &visits) {
+            methods.push_str(&text);
+            let visits = format_ident!("{visits}");
+            narrow.push(quote!(Self::#variant => system.#visits(states, visit)));
+        }
         arms.push(quote!(Self::#variant => system.#method(state)));
     }
     let names: Vec<&str> = events.iter().map(|event| event.name.as_str()).collect();
-    let guards = guard(item, emission.count(), &quote!(match self { #(#arms),* }));
+    let (scalar, count) = (scalar(item), emission.count());
+    let narrow = (!narrow.is_empty()).then(|| {
+        let rest = (narrow.len() < events.len()).then(|| quote!(_ => {}));
+        let self_ty = &item.self_ty;
+        quote! {
+            const NARROW: bool = true;
+            fn hidden_along<const PLACES: usize>(
+                &self,
+                system: &#self_ty,
+                states: &[lagrange::State<#scalar, #count>; PLACES],
+                visit: impl ::core::ops::FnMut(lagrange::Hidden, [#scalar; PLACES]),
+            ) {
+                match self { #(#narrow,)* #rest }
+            }
+        }
+    });
+    let guards = guard(item, count, &quote!(match self { #(#arms),* }), narrow);
     Items { methods, named: Some(named(item, &names)), guards: Some(guards) }
 }
 
@@ -49,13 +72,18 @@ pub(super) fn stubs(item: &Item, count: usize) -> (Option<TokenStream>, Option<T
     let is_event = |function: &&Function| matches!(function.meant(), Some(RoleKind::Event));
     let names: Vec<&str> = item.functions.iter().filter(is_event).map(|function| &*function.name).collect();
     let any = !names.is_empty();
-    (any.then(|| named(item, &names)), any.then(|| guard(item, count, &quote!(loop {}))))
+    (any.then(|| named(item, &names)), any.then(|| guard(item, count, &quote!(loop {}), None)))
 }
 
-/// The implementations that make the enum a guard.
-fn guard(item: &Item, count: usize, body: &TokenStream) -> TokenStream {
+/// The scalar of a system.
+fn scalar(item: &Item) -> TokenStream {
+    item.scalar.to_string().parse().unwrap_or_default()
+}
+
+/// The implementations that make the enum a guard. `narrow` are the items about functions that can hide.
+fn guard(item: &Item, count: usize, body: &TokenStream, narrow: Option<TokenStream>) -> TokenStream {
     let Item { self_ty, generics, .. } = item;
-    let scalar: TokenStream = item.scalar.to_string().parse().unwrap_or_default();
+    let scalar = scalar(item);
     let (impl_generics, _, where_clause) = generics.split_for_impl();
     let ident = format_ident!("{}Event", item.name);
     quote! {
@@ -66,6 +94,7 @@ fn guard(item: &Item, count: usize, body: &TokenStream) -> TokenStream {
             fn value(&self, system: &#self_ty, state: &lagrange::State<#scalar, #count>) -> #scalar {
                 #body
             }
+            #narrow
         }
     }
 }

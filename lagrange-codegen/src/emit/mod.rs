@@ -69,6 +69,8 @@ pub(crate) struct Emission<'a> {
     pub solution: &'a Solution,
     /// What functions depend on that can hide from a step; `None` without such functions.
     pub hidden: Option<&'a Hidden>,
+    /// The same of each event.
+    pub in_events: &'a [Option<Hidden>],
     /// The recurrences of a smooth system.
     pub jets: Option<&'a Jets>,
     /// The operations of an order.

@@ -10,7 +10,7 @@ use proc_macro2::TokenStream;
 use super::body::{self, Source};
 use super::constraints::record_ident;
 use super::tokens::placeholder;
-use super::{Emission, companion, names, names_of_parts};
+use super::{Emission, companion, hidden, names, names_of_parts};
 use crate::calculus::sizes;
 use crate::expr::{Dependence, NodeId};
 use crate::model::{Law, Normal};
@@ -86,7 +86,8 @@ pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items
         solved: switching.turned.as_ref().unwrap_or(&switching.equations),
         facts: &switching.facts,
         solution: &switching.solution,
-        hidden: switching.hidden.as_ref(),
+        hidden: switching.hidden[0].as_ref(),
+        in_events: emission.in_events,
         jets: switching.jets.as_ref(),
         orders: switching.orders.as_ref(),
         method: None,
@@ -107,6 +108,7 @@ pub(super) fn switching(emission: &Emission<'_>, switching: &mut Regimes) -> Str
         functions::functions(emission, switching),
         directed::coefficients(emission, switching),
         directed::backward(emission, switching),
+        hidden::in_guards(emission, switching),
         if switching.has_contacts() { equations(emission, switching.rows()) } else { String::new() },
     ];
     items.concat()

@@ -54,7 +54,7 @@ pub(super) fn report(
     }
     facts.extend(after.loops.describe());
     facts.extend(switching.into_iter().flat_map(regimes::facts));
-    let hidden = switching.map_or(emission.hidden, |switching| switching.hidden.as_ref());
+    let hidden = switching.map_or(emission.hidden, |switching| switching.hidden[0].as_ref());
     facts.extend(hidden.map(Hidden::describe));
     let coordinates: Vec<String> =
         emission.model.coordinates.iter().map(|quantity| quantity.written()).collect();

@@ -49,7 +49,7 @@ impl Hidden {
 
 /// Finds what the functions in the equations depend on that can hide from a series. `None` means that no
 /// function can.
-pub(super) fn hidden(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -> Option<Hidden> {
+pub fn hidden(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -> Option<Hidden> {
     let mut found = Found::default();
     for id in graph.cone(roots.iter().copied()) {
         if graph.dependence(id).is_fixed() {

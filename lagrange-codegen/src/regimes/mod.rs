@@ -60,8 +60,8 @@ pub struct Regimes {
     pub facts: Facts,
     /// How they are solved.
     pub solution: Solution,
-    /// What can hide from its steps, if anything can.
-    pub hidden: Option<Hidden>,
+    /// What can hide from its steps, and in its guards, if anything can.
+    pub hidden: [Option<Hidden>; 2],
     /// The recurrences of its series; `None` if even one regime is not smooth.
     pub jets: Option<Jets>,
     /// The operations of these recurrences, an order at a time.
@@ -184,6 +184,7 @@ pub fn derive(
     let of_solved = Facts::of(&regime, solved);
     let solution = Solution::plan(&mut regime, (&equations, &facts), (solved, &of_solved), diagnostics)?;
     let sides: Vec<jets::Switch> = switches.kinks.iter().copied().zip(guards.kinks.iter().copied()).collect();
+    let in_guards = jets::hidden(&mut regime.graph, &guards.all(), &sides);
     let (hidden, jets) = jets::derive(&mut regime, solved, &sides);
     let orders = jets.as_ref().map(|jets| Expansions::plan(&mut regime, solved, &solution, jets));
     if contacts.is_empty() && jets.is_none() {
@@ -207,7 +208,7 @@ pub fn derive(
         turned,
         facts,
         solution,
-        hidden,
+        hidden: [hidden, in_guards],
         jets,
         orders,
         laws_of,

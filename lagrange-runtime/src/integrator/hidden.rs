@@ -43,14 +43,44 @@ pub(super) fn sample(index: usize) -> f64 {
     if index > PLACES { BETWEEN[0] } else { index as f64 }
 }
 
+/// Functions that can hide from a step.
+pub(crate) trait Hiding<R, const N: usize> {
+    /// Visits what they depend on, at each of these states.
+    fn along<const PLACES: usize>(
+        &self,
+        states: &[State<R, N>; PLACES],
+        visit: impl FnMut(Hidden, [R; PLACES]),
+    );
+}
+
+/// Those in the equations of a system under control.
+pub(super) struct InEquations<'a, S, C, const K: usize> {
+    pub system: &'a S,
+    pub control: &'a C,
+}
+
+impl<S, C, const N: usize, const K: usize> Hiding<S::Scalar, N> for InEquations<'_, S, C, K>
+where
+    S: System<N, K>,
+    C: Control<S::Scalar, N, K>,
+{
+    fn along<const PLACES: usize>(
+        &self,
+        states: &[State<S::Scalar, N>; PLACES],
+        visit: impl FnMut(Hidden, [S::Scalar; PLACES]),
+    ) {
+        let inputs = states.each(|state| self.control.inputs(&state));
+        self.system.hidden_along(states, &inputs, visit);
+    }
+}
+
 /// A step, and the functions that may hide in it.
-pub(super) struct Passage<'a, S: System<N, K>, C, P, const N: usize, const K: usize> {
-    pub(super) system: &'a S,
-    pub(super) control: &'a C,
+pub(crate) struct Passage<'a, H, R, P> {
+    pub hiding: &'a H,
     /// The state a part of the step after its start.
-    pub(super) state_at: &'a P,
+    pub state_at: &'a P,
     /// The length of the step.
-    pub(super) theta: S::Scalar,
+    pub theta: R,
 }
 
 /// What a function that may hide depends on.
@@ -72,27 +102,33 @@ struct Part<'a, R, V> {
     end: R,
 }
 
-impl<S, C, P, const N: usize, const K: usize> Passage<'_, S, C, P, N, K>
-where
-    S: System<N, K>,
-    C: Control<S::Scalar, N, K>,
-    P: Fn(S::Scalar) -> State<S::Scalar, N>,
-{
-    /// Looks where functions may hide between places, whose states are these, and gives the lanes that
-    /// disagree. Lanes without such a function look at the end of the step.
-    pub(super) fn look(
+impl<H, R: Real, P> Passage<'_, H, R, P> {
+    /// Looks where functions may hide between places, and gives the lanes that disagree. Lanes without such a
+    /// function look at the end of the step.
+    pub(crate) fn search<const N: usize>(&self, look: impl FnMut(R) -> R) -> R
+    where
+        H: Hiding<R, N>,
+        P: Fn(R) -> State<R, N>,
+    {
+        let apart = self.theta * R::from_f64(1.0 / PLACES as f64);
+        self.look(&array(|index| (self.state_at)(R::from_f64(sample(index)) * apart)), look)
+    }
+
+    /// The same with the states at these places.
+    pub(super) fn look<const N: usize>(
         &self,
-        states: &[State<S::Scalar, N>; SAMPLES],
-        mut look: impl FnMut(S::Scalar) -> S::Scalar,
-    ) -> S::Scalar {
-        let (mut faults, mut index): (S::Scalar, usize) = (num_traits::Zero::zero(), 0);
-        let inputs = states.each(|state| self.control.inputs(&state));
-        self.system.hidden_along(states, &inputs, |kind, values| {
+        states: &[State<R, N>; SAMPLES],
+        mut look: impl FnMut(R) -> R,
+    ) -> R
+    where
+        H: Hiding<R, N>,
+        P: Fn(R) -> State<R, N>,
+    {
+        let (mut faults, mut index) = (R::zero(), 0);
+        self.hiding.along(states, |kind, values| {
             let value_at = |theta| {
-                let (mut found, mut other) = (num_traits::Zero::zero(), 0);
-                let state = (self.state_at)(theta);
-                let inputs = [self.control.inputs(&state)];
-                self.system.hidden_along(&[state], &inputs, |_, [value]| {
+                let (mut found, mut other) = (R::zero(), 0);
+                self.hiding.along(&[(self.state_at)(theta)], |_, [value]| {
                     if other == index {
                         found = value.part(0);
                     }

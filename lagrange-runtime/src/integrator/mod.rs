@@ -9,7 +9,7 @@ pub(crate) mod agreement;
 pub(crate) mod dense;
 pub(crate) mod dop853;
 mod gauss;
-mod hidden;
+pub(crate) mod hidden;
 mod jet;
 pub(crate) mod jets;
 pub(crate) mod landing;

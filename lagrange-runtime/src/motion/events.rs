@@ -22,10 +22,12 @@ use crate::number::real::Ordered;
 use crate::system::System;
 use crate::system::control::Control;
 use crate::system::error::MotionError;
+use crate::system::hidden::Hidden;
 use crate::system::method::Adaptive;
 use crate::system::state::State;
 
 mod interval;
+mod narrow;
 mod search;
 mod track;
 
@@ -43,6 +45,20 @@ use search::Search;
 pub trait Guard<S: ?Sized, R, const N: usize> {
     /// The value whose zeros matter. It must depend on the state alone.
     fn value(&self, system: &S, state: &State<R, N>) -> R;
+
+    /// Whether a function in it can hide from a step.
+    #[doc(hidden)]
+    const NARROW: bool = false;
+
+    /// Visits such functions as [`System::hidden_along`] does.
+    #[doc(hidden)]
+    fn hidden_along<const PLACES: usize>(
+        &self,
+        _system: &S,
+        _states: &[State<R, N>; PLACES],
+        _visit: impl FnMut(Hidden, [R; PLACES]),
+    ) {
+    }
 }
 
 impl<F, S: ?Sized, R, const N: usize> Guard<S, R, N> for F

@@ -33,20 +33,34 @@ where
         let memory = &mut *self.memory;
         let (start, end) = (memory.start, memory.end);
         let (in_regime, constants) = (&memory.in_regime, &memory.constants);
-        let terms = M::terms(&memory.inner);
         let inputs = &self.control.0;
-        let mut guards = Guards::new(self.system, in_regime, &memory.regime, inputs, &start, terms.is_some());
+        let mut guards = Guards::new(
+            self.system,
+            in_regime,
+            &memory.regime,
+            inputs,
+            &start,
+            M::terms(&memory.inner).is_some(),
+        );
         if guards.is_empty() {
             return Ok(None);
         }
         guards.cross(&memory.flips);
         guards.slips_begin(&memory.slips_begin);
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
+        let narrow = if S::NARROW {
+            let inner = &mut memory.inner;
+            let (control, limits) = (self.control, self.limits);
+            guards.fallen_inside(|part| M::within(inner, in_regime, constants, control, limits, part).ok())
+        } else {
+            None
+        };
         let (mut fall, mut known, mut is_shared) = (None, one, false);
-        if let Some(terms) = terms {
+        if let Some(terms) = M::terms(&memory.inner) {
             let course = Course::new(terms, self.limits.relative, S::FOLLOWED);
             let found = guards.first_along(&course, &end, memory.fired, attempts)?;
-            if found.first.is_none() && found.until == one && guards.all().next().is_none() {
+            let has_none = narrow.is_none() && found.first.is_none() && found.until == one;
+            if has_none && guards.all().next().is_none() {
                 return Ok(None);
             }
             (known, is_shared) = (found.until, found.is_shared);
@@ -92,6 +106,14 @@ where
         };
         if sampled.is_some() {
             (first, passed, is_shared) = (sampled, None, false);
+        }
+        if let Some((place, guard)) =
+            narrow.filter(|&(place, _)| first.map_or(known, |(part, _)| part) >= place)
+        {
+            let nearer = S::Scalar::from_f64(0.5) * place;
+            let is_resolved = start.t + nearer * (end.t - start.t) != start.t;
+            first = if is_resolved { None } else { Some((place, guard)) };
+            (known, passed, is_shared) = (if is_resolved { nearer } else { place }, None, false);
         }
         let (part, guard) = match first {
             Some((part, guard)) => (part, Some(guard)),

@@ -35,6 +35,7 @@ mod limits;
 mod loose;
 mod margin;
 mod memory;
+mod narrow;
 mod nearest;
 mod pace;
 mod pivoting;
@@ -62,7 +63,9 @@ use crate::linear::{SaddlePoint, Switched, SwitchedRows};
 use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::System;
+use crate::system::hidden::Hidden;
 use crate::system::name::Name;
+use crate::system::state::State;
 #[doc(hidden)]
 pub use alone::{accelerations, multipliers};
 pub use contacts::{Contact, NamedRows, Switch};
@@ -244,6 +247,18 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         _u: &[T; K],
     ) -> Option<[T; C]> {
         None
+    }
+
+    /// Whether a function in the guards can hide from their series.
+    const NARROW: bool = false;
+
+    /// Visits such functions as [`System::hidden_along`] does those in the equations.
+    fn hidden_in<const PLACES: usize>(
+        _in_regime: &Self::InRegime,
+        _states: &[State<Self::Scalar, N>; PLACES],
+        _inputs: &[[Self::Scalar; K]; PLACES],
+        _visit: impl FnMut(Hidden, [Self::Scalar; PLACES]),
+    ) {
     }
 
     /// The gain of the energy where each switching function passes zero upwards, and Σ |summands| of the

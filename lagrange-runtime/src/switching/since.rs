@@ -209,6 +209,7 @@ where
     const AUTONOMOUS: bool = S::AUTONOMOUS;
 
     const VARYING: bool = S::VARYING;
+    const NARROW: bool = S::NARROW;
     const FOLLOWED: usize = S::FOLLOWED;
     const ALONG: Functions<Along, C, W> = S::ALONG;
     const BACKWARD: [Along; C] = S::BACKWARD;
@@ -262,6 +263,16 @@ where
     ) -> Option<[T; C]> {
         let t = number(in_regime.instant) + t;
         S::backward_in(&in_regime.in_regime, number, t, q, v, u)
+    }
+
+    fn hidden_in<const PLACES: usize>(
+        in_regime: &Self::InRegime,
+        states: &[State<S::Scalar, N>; PLACES],
+        inputs: &[[S::Scalar; K]; PLACES],
+        visit: impl FnMut(Hidden, [S::Scalar; PLACES]),
+    ) {
+        let at_times = states.each(|state| state.at_time(in_regime.instant + state.t));
+        S::hidden_in(&in_regime.in_regime, &at_times, inputs, visit);
     }
 
     fn jumps_at(

@@ -30,6 +30,7 @@ mod leashes;
 mod legs;
 mod letting_go;
 mod linkages;
+mod narrow;
 mod nested;
 mod normals;
 mod onsets;

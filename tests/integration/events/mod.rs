@@ -1,4 +1,5 @@
 //! Zeros of functions along motions of generated systems, against closed forms.
 
+mod narrow;
 mod orbit;
 mod swings;

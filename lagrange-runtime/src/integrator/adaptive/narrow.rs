@@ -7,7 +7,7 @@
 
 use super::super::agreement::Agreement;
 use super::super::dop853::Dop853Memory;
-use super::super::hidden::{PLACES, Passage, SAMPLES, range, sample};
+use super::super::hidden::{Hiding, InEquations, Passage, range};
 use super::super::slopes::Slope;
 use super::super::step_size;
 use super::{Driven, Field};
@@ -88,8 +88,7 @@ where
     /// Whether what some function depends on varies enough along a step.
     fn varies(&self, states: &[State<S::Scalar, N>; 4]) -> bool {
         let mut varies = false;
-        let inputs = states.each(|state| self.control.inputs(&state));
-        self.system.hidden_along(states, &inputs, |kind, values| {
+        InEquations { system: self.system, control: self.control }.along(states, |kind, values| {
             let [range, unit] = range(kind, &values.each(|value| value.part(0)));
             varies |= any(range - S::Scalar::from_f64(STILL) * unit);
         });
@@ -102,10 +101,8 @@ where
         state_at: &P,
         look: &mut impl FnMut(S::Scalar) -> S::Scalar,
     ) -> S::Scalar {
-        let theta = num_traits::One::one();
-        let part = |index: usize| S::Scalar::from_f64(sample(index) / PLACES as f64);
-        let states: [_; SAMPLES] = array(|index| state_at(part(index)));
-        Passage { system: self.system, control: self.control, state_at, theta }.look(&states, look)
+        let hiding = InEquations { system: self.system, control: self.control };
+        Passage { hiding: &hiding, state_at, theta: num_traits::One::one() }.search(look)
     }
 }
 

@@ -5,7 +5,7 @@
 //! accelerations are compared at some places of the step with those of the polynomial.
 
 use super::super::agreement::Agreement;
-use super::super::hidden::{PLACES, Passage, SAMPLES, sample};
+use super::super::hidden::{InEquations, PLACES, Passage, SAMPLES, sample};
 use crate::number::elements::{Each, array};
 use crate::number::real::{Real, any};
 use crate::system::control::{Control, Held};
@@ -30,7 +30,7 @@ pub(crate) fn restrained<R: Real>(length: R, last: R, left: R) -> R {
 /// [hide](super::super::hidden): one there, and zero in the others. All places are examined, so that no
 /// strong force is missed; `look` gives the lanes that disagree at one, and is told whether it is the end.
 pub(super) fn faults_along<S, C, P, const N: usize, const K: usize>(
-    passage: &Passage<'_, S, C, P, N, K>,
+    passage: &Passage<'_, InEquations<'_, S, C, K>, S::Scalar, P>,
     start: &State<S::Scalar, N>,
     mut look: impl FnMut(S::Scalar, &State<S::Scalar, N>, bool) -> S::Scalar,
 ) -> S::Scalar
@@ -143,8 +143,8 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
             let (q, v) = (moved(&self.start.q, &gain_q), moved(&self.start.v, &gain_v));
             State { t: self.start.t + theta * self.unit, q, v }
         };
-        let passage =
-            Passage { system: self.system, control: &Held(*self.inputs), state_at: &state_at, theta };
+        let hiding = InEquations { system: self.system, control: &Held(*self.inputs) };
+        let passage = Passage { hiding: &hiding, state_at: &state_at, theta };
         faults_along(&passage, self.start, |theta, state, _| faults_at(theta, state))
     }
 }

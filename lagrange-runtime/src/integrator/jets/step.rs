@@ -1,6 +1,6 @@
 //! One step: expansion, length, end.
 
-use super::super::hidden::Passage;
+use super::super::hidden::{InEquations, Passage};
 use super::super::landing::{Check, Determined, Landing};
 use super::super::lengths::{Lengths, Verdict};
 use super::super::step_size;
@@ -135,7 +135,8 @@ where
         let slopes = |theta| memory.series.slopes(theta, memory.orders).each(|slope| slope / memory.unit);
         let on_the_way = |landing: &Landing<S::Scalar, N>| {
             let state_at = |theta| memory.state_at(theta);
-            let passage = Passage { system, control, state_at: &state_at, theta };
+            let hiding = InEquations { system, control };
+            let passage = Passage { hiding: &hiding, state_at: &state_at, theta };
             // The end is checked beside this.
             let look = |theta, state: &State<S::Scalar, N>, is_end| {
                 let agrees = is_end || check.agrees(state, &slopes(theta), landing);

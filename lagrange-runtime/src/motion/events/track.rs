@@ -123,6 +123,9 @@ impl<R: Ordered> Track<R> {
             return Err(Refused::Failed(error));
         }
         let polynomial = polynomial.map_err(Refused::TooLong)?;
+        if G::NARROW && watched.strays(interval, &polynomial) {
+            return Err(Refused::TooLong(Unresolved::Degree));
+        }
         let (noise, one) = (polynomial.noise(), R::one());
         let roundings = |count| R::from_f64(count) * R::epsilon();
         let (start, part) = (polynomial.value(R::zero()), R::from_f64(PART));

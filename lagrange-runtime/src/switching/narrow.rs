@@ -1,0 +1,77 @@
+//! Guards that narrow functions take below zero inside a step.
+//!
+//! A bump in the ground or a step of it may lie between the places at which the polynomial of a gap is
+//! compared with the gap, far from where its series starts. What such functions depend on shows where they
+//! are narrow ([`hidden`](crate::integrator::hidden)). A guard that has fallen there, but not on its
+//! polynomial, ends the piece on the way. The next series starts nearer, and knows more.
+
+use core::cell::Cell;
+
+use super::Switching;
+use super::guards::{Guard, Guards};
+use crate::integrator::hidden::{Hiding, Passage};
+use crate::number::real::{Ordered, Real, smaller};
+use crate::system::hidden::Hidden;
+use crate::system::state::State;
+
+/// The functions in the guards of a regime.
+struct InGuards<'a, S: Switching<N, K, C, W>, const N: usize, const K: usize, const C: usize, const W: usize>
+{
+    in_regime: &'a S::InRegime,
+    inputs: &'a [S::Scalar; K],
+}
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Hiding<S::Scalar, N>
+    for InGuards<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+{
+    fn along<const PLACES: usize>(
+        &self,
+        states: &[State<S::Scalar, N>; PLACES],
+        visit: impl FnMut(Hidden, [S::Scalar; PLACES]),
+    ) {
+        S::hidden_in(self.in_regime, states, &[*self.inputs; PLACES], visit);
+    }
+}
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Guards<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+{
+    /// The first part of the step at which a narrow function has taken a guard below zero. Guards of
+    /// reactions are left out: others may bear what one does not. `at` gives the state after a part.
+    pub(super) fn fallen_inside(
+        &self,
+        mut at: impl FnMut(S::Scalar) -> Option<State<S::Scalar, N>>,
+    ) -> Option<(S::Scalar, Guard)> {
+        let (nan, one) = (S::Scalar::from_f64(f64::NAN), num_traits::One::one());
+        let at = Cell::new(Some(&mut at));
+        let state_at = |part: S::Scalar| {
+            let nowhere = State { t: nan, q: [nan; N], v: [nan; N] };
+            let Some(own) = at.take() else { return nowhere };
+            let state = own(part);
+            at.set(Some(own));
+            state.unwrap_or(nowhere)
+        };
+        let mut first: Option<(S::Scalar, Guard)> = None;
+        let hiding: InGuards<'_, S, N, K, C, W> = InGuards { in_regime: self.in_regime, inputs: self.inputs };
+        Passage { hiding: &hiding, state_at: &state_at, theta: one }.search(|part: S::Scalar| {
+            let state = state_at(part);
+            let mut own = self.all().filter(|&guard| !self.is_of_reactions(guard));
+            let fallen = own.find(|&guard| {
+                // The time of an impact is rounded, so that a gap may be below zero where a piece starts.
+                let [before, there] = [self.start, &state].map(|state| self.value(guard, state, state));
+                there.value < smaller(before.value, num_traits::Zero::zero()) - there.error
+            });
+            if let Some(guard) = fallen
+                && first.is_none_or(|(other, _)| part < other)
+            {
+                first = Some((part, guard));
+            }
+            num_traits::Zero::zero()
+        });
+        first
+    }
+}
