@@ -9,12 +9,15 @@ use crate::regimes::Regimes;
 /// The items of `System`; none if no function in the equations can hide.
 pub(super) fn hidden(emission: &Emission<'_>) -> String {
     let Some(hidden) = emission.hidden else { return String::new() };
-    let steep = "const STEEP: bool = true;\n".to_owned();
+    let flag = |name: &str, is_set: bool| {
+        if is_set { format!("const {name}: bool = true;\n") } else { String::new() }
+    };
+    let flags = flag("STEEP", hidden.is_steep) + &flag("ROOTED", !hidden.roots.is_empty());
     if hidden.all().is_empty() {
-        return steep;
+        return flags;
     }
     let visiting = visiting(emission, emission.model, hidden, (Source::Slices, turning::entry(emission)));
-    steep + &method(emission, "hidden_along", ["&self, ", &given(emission)], &visiting)
+    flags + &method(emission, "hidden_along", ["&self, ", &given(emission)], &visiting)
 }
 
 /// The items of `Switching`; none if no function in the guards can hide.
@@ -65,7 +68,8 @@ fn visiting(
     let powers: Vec<u32> = hidden.bases.iter().map(|&(_, power)| power).collect();
     let body = body::plain(model, &emission.scalar, &hidden.all(), source, |values| values.list());
     format!(
-        "lagrange::hidden(__states, __inputs, &{powers:?}, |t, q: &{vector}, v: &{vector}, u: &{inputs}| {{\n\
-         {entry}{body}\n}}, __visit);"
+        "lagrange::hidden(__states, __inputs, (&{powers:?}, {}), |t, q: &{vector}, v: &{vector}, u: &{inputs}| {{\n\
+         {entry}{body}\n}}, __visit);",
+        hidden.roots.len()
     )
 }

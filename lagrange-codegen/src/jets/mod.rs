@@ -46,7 +46,7 @@ pub use followed::Along;
 pub use recurrence::{Coefficient, Convolution, Jets, Operand, Series};
 use rewriting::{contract_angles, meet_flows};
 pub use sides::Switch;
-pub use steep::{Hidden, hidden};
+pub use steep::{Hidden, hidden_beside};
 
 /// The most convolutions whose outermost terms are kept out of the tables. The sweep over these terms would
 /// wait for the row just written; with more convolutions there is other work in between.

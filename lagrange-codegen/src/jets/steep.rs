@@ -8,6 +8,7 @@
 use super::sides::{Switch, forms};
 use crate::collections::Lookup;
 use crate::expr::{Binary, Dependence, Exponent, Graph, Node, NodeId, Unary};
+use crate::number::Number;
 
 /// This power, counted in halves, and those below it are steep: x⁻⁴, or s⁻⁴ of a squared distance s.
 const STEEPEST: i32 = -8;
@@ -24,27 +25,43 @@ const MOST: usize = 256;
 /// What such functions depend on, along a motion.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Hidden {
+    /// Whether functions hide at all, beside roots.
+    pub is_steep: bool,
     /// The arguments of functions. Those of opposite ones are listed once.
     pub arguments: Vec<NodeId>,
     /// The bases of powers, and the largest power of each without its sign.
     pub bases: Vec<(NodeId, u32)>,
+    /// Functions that vanish where others have a kink or a pole: what a root or a logarithm is taken of, and
+    /// what divides.
+    pub roots: Vec<NodeId>,
 }
 
 impl Hidden {
-    /// All of them, arguments first.
+    /// All of them, arguments first and roots last.
     pub fn all(&self) -> Vec<NodeId> {
-        self.arguments.iter().copied().chain(self.bases.iter().map(|&(base, _)| base)).collect()
+        let bases = self.bases.iter().map(|&(base, _)| base);
+        self.arguments.iter().copied().chain(bases).chain(self.roots.iter().copied()).collect()
     }
 
     /// The line in `STRUCTURE`.
     pub fn describe(&self) -> String {
-        let functions = match self.all().len() {
+        if !self.is_steep {
+            return "steps are compared with the equations where a root or a denominator comes near zero"
+                .to_owned();
+        }
+        let functions = match self.arguments.len() + self.bases.len() {
             0 => return "steep: steps are compared with the equations".to_owned(),
             1 => "a function".to_owned(),
             count => format!("{count} functions"),
         };
         format!("steep: steps are compared with the equations, also where {functions} may be narrow")
     }
+}
+
+/// The same of functions beside the equations, whose roots have no say in a step.
+pub fn hidden_beside(graph: &mut Graph, root: &[NodeId], switches: &[Switch]) -> Option<Hidden> {
+    let hidden = hidden(graph, root, switches).filter(|hidden| hidden.is_steep)?;
+    Some(Hidden { roots: Vec::new(), ..hidden })
 }
 
 /// Finds what the functions in the equations depend on that can hide from a series. `None` means that no
@@ -57,9 +74,12 @@ pub fn hidden(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -> Optio
         }
         match graph.node(id).clone() {
             Node::Unary(function, argument) if hides(function) => {
-                let (coefficient, _) = graph.scaled(argument);
-                let positive = if coefficient.is_negative() { graph.neg(argument) } else { argument };
-                found.argument(graph, positive);
+                let own = argument_of(graph, argument);
+                found.argument(graph, own);
+            }
+            Node::Unary(function, argument) if is_singular(function) => {
+                let root = vanishing(graph, function, argument);
+                found.root(graph, root);
             }
             Node::Binary(Binary::Powf | Binary::PowfLn, base, exponent) => {
                 let power = graph.as_constant(exponent).map_or(1.0, |power| power.value().abs().ceil());
@@ -74,6 +94,12 @@ pub fn hidden(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -> Optio
                 for (base, power) in factors {
                     if is_steep_somewhere(graph, base, power, switches) {
                         found.base(graph, base, power.0.unsigned_abs().div_ceil(2));
+                        // A base that is smallest somewhere may also pass zero.
+                        if power.0 < 0 && has_either_sign(graph, base) {
+                            found.root(graph, base);
+                        }
+                    } else if is_singular_power(graph, base, power) {
+                        found.root(graph, base);
                     }
                 }
             }
@@ -82,13 +108,13 @@ pub fn hidden(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -> Optio
     }
     found.hidden.arguments.truncate(MOST);
     found.hidden.bases.truncate(MOST - found.hidden.arguments.len());
-    found.any.then_some(found.hidden)
+    found.hidden.roots.truncate(MOST - found.hidden.arguments.len() - found.hidden.bases.len());
+    (found.hidden.is_steep || !found.hidden.roots.is_empty()).then_some(found.hidden)
 }
 
 /// Functions that have been found.
 #[derive(Default)]
 struct Found {
-    any: bool,
     /// The places of arguments and bases in their lists.
     seen: Lookup<(NodeId, bool), usize>,
     hidden: Hidden,
@@ -96,14 +122,14 @@ struct Found {
 
 impl Found {
     fn argument(&mut self, graph: &Graph, argument: NodeId) {
-        self.any = true;
+        self.hidden.is_steep = true;
         if is_known(graph, argument) && self.seen.insert((argument, false), 0).is_none() {
             self.hidden.arguments.push(argument);
         }
     }
 
     fn base(&mut self, graph: &Graph, base: NodeId, power: u32) {
-        self.any = true;
+        self.hidden.is_steep = true;
         let bases = &mut self.hidden.bases;
         match self.seen.get(&(base, true)) {
             Some(&place) => bases[place].1 = bases[place].1.max(power),
@@ -113,6 +139,92 @@ impl Found {
             }
             None => {}
         }
+    }
+
+    fn root(&mut self, graph: &Graph, root: NodeId) {
+        if is_known(graph, root) && !self.hidden.roots.contains(&root) {
+            self.hidden.roots.push(root);
+        }
+    }
+}
+
+/// What a function depends on, with a positive sign. Of a square it is the root, which shows by its sign
+/// where it passes zero: as much of exp(−(x/w)²) as of any function of x/w lies between −1 and 1.
+fn argument_of(graph: &mut Graph, argument: NodeId) -> NodeId {
+    let (coefficient, node) = graph.scaled(argument);
+    let positive = if coefficient.is_negative() { graph.neg(argument) } else { argument };
+    let mut factors = graph.factors(node);
+    let is_moving = |graph: &Graph, node: NodeId| !graph.dependence(node).is_fixed();
+    if factors.iter().any(|&(factor, power)| power.0 % if is_moving(graph, factor) { 4 } else { 2 } != 0) {
+        return positive;
+    }
+    for (factor, power) in &mut factors {
+        power.0 /= 2;
+        if power.as_integer().is_none() {
+            *factor = graph.unary(Unary::Abs, *factor);
+        }
+    }
+    let root = graph.product(&factors);
+    graph.sum(Number::ZERO, &[(root, coefficient.abs().sqrt())])
+}
+
+/// Whether a function has a kink or a pole where some function of its argument vanishes.
+fn is_singular(function: Unary) -> bool {
+    matches!(
+        function,
+        Unary::Tan
+            | Unary::Asin
+            | Unary::Acos
+            | Unary::Atanh
+            | Unary::Acosh
+            | Unary::Ln
+            | Unary::Ln1p
+            | Unary::Cbrt
+    )
+}
+
+/// That function.
+fn vanishing(graph: &mut Graph, function: Unary, argument: NodeId) -> NodeId {
+    let mut beside_one = |power: i32, sign: Number| {
+        let other = graph.powi(argument, power);
+        graph.sum(Number::ONE, &[(other, sign)])
+    };
+    match function {
+        Unary::Asin | Unary::Acos | Unary::Atanh | Unary::Acosh => beside_one(2, Number::MINUS_ONE),
+        Unary::Ln1p => beside_one(1, Number::ONE),
+        Unary::Tan => graph.unary(Unary::Cos, argument),
+        _ => argument,
+    }
+}
+
+/// Whether a power that is not steep has a kink or a pole where its base vanishes, and a motion may come
+/// there: a root, or a pole that the base crosses. Of the poles of r⁻³ and higher ones, which are those of
+/// gravitation, series know.
+fn is_singular_power(graph: &Graph, base: NodeId, exponent: Exponent) -> bool {
+    match exponent.as_integer() {
+        _ if graph.dependence(base).is_fixed() => false,
+        Some(power) => power < 0 && has_either_sign(graph, base),
+        None => exponent.0 >= -1,
+    }
+}
+
+/// Whether a function may be positive and negative, as far as its form tells. Parameters count as positive.
+fn has_either_sign(graph: &Graph, node: NodeId) -> bool {
+    if graph.dependence(node).is_fixed() {
+        return false;
+    }
+    match graph.node(node) {
+        Node::Sum { offset, terms } => {
+            offset.is_negative()
+                || terms.iter().any(|&(term, c)| c.is_negative() || has_either_sign(graph, term))
+        }
+        Node::Product(factors) => {
+            factors.iter().any(|&(factor, power)| power.0 % 4 == 2 && has_either_sign(graph, factor))
+        }
+        Node::Unary(function, _) => {
+            !matches!(function, Unary::Exp | Unary::Cosh | Unary::Sech | Unary::Logistic | Unary::Abs)
+        }
+        _ => true,
     }
 }
 
@@ -193,7 +305,6 @@ fn is_difference(graph: &Graph, base: NodeId) -> bool {
 mod tests {
     use super::*;
     use crate::expr::Variable;
-    use crate::number::Number;
 
     #[test]
     fn walls_and_smoothed_kinks_hide() {
@@ -207,28 +318,52 @@ mod tests {
         let smoothed = graph.sum(Number::ZERO, &[(xx, Number::ONE), (ww, Number::ONE)]);
         let side = graph.sum(Number::ZERO, &[(ww, Number::ONE), (xx, Number::MINUS_ONE)]);
         let [sine, exp] = [Unary::Sin, Unary::Exp].map(|function| graph.unary(function, x));
-        for (node, expected) in [
-            (graph.powi(distance, -3), false),
-            (distance, false),
-            (sine, false),
-            (graph.powi(width, -12), false),
-            (graph.powi(x, -2), false),
-            (graph.powi(x, 7), false),
-            (graph.powi(x, 8), true),
-            (graph.powi(sine, 40), true),
-            (graph.powi(distance, -12), true),
-            (graph.sqrt(smoothed), true),
-            (graph.sqrt(side), false),
-            (graph.powi(side, -1), true),
-            (graph.powi(smoothed, -1), true),
-            (exp, true),
+        let squared = graph.powi(sine, 2);
+        let cosine = graph.sum(Number::ONE, &[(squared, Number::MINUS_ONE)]);
+        let shifted = graph.sum(Number::ONE, &[(x, Number::MINUS_ONE)]);
+        for (node, is_steep, has_roots) in [
+            (graph.powi(distance, -3), false, false),
+            (distance, false, true),
+            (sine, false, false),
+            (graph.powi(width, -12), false, false),
+            (graph.powi(x, -2), false, true),
+            (graph.powi(square, -1), false, false),
+            (graph.powi(x, 7), false, false),
+            (graph.powi(x, 8), true, false),
+            (graph.powi(sine, 40), true, false),
+            (graph.powi(distance, -12), true, false),
+            (graph.sqrt(smoothed), true, false),
+            (graph.sqrt(side), false, true),
+            (graph.powi(side, -1), true, true),
+            (graph.powi(shifted, -1), true, true),
+            (graph.powi(smoothed, -1), true, false),
+            (graph.sqrt(cosine), false, true),
+            (graph.unary(Unary::Acos, sine), false, true),
+            (exp, true, false),
         ] {
+            let found = hidden(&mut graph, &[node], &[]);
+            let found = found.map(|hidden| (hidden.is_steep, !hidden.roots.is_empty()));
             assert_eq!(
-                hidden(&mut graph, &[node], &[]).is_some(),
-                expected,
+                found.unwrap_or_default(),
+                (is_steep, has_roots),
                 "{}",
                 graph.print(node, &|v| format!("{v:?}"))
             );
         }
+    }
+
+    #[test]
+    fn squares_in_functions_show_by_their_roots() {
+        let mut graph = Graph::default();
+        let x = graph.variable(Variable::Coordinate(0));
+        let width = graph.variable(Variable::Parameter(0));
+        let part = graph.div(x, width);
+        let square = graph.powi(part, 2);
+        let gaussian = graph.sum(Number::ZERO, &[(square, Number::integer(-4))]);
+        let expected = graph.sum(Number::ZERO, &[(part, Number::integer(2))]);
+        assert_eq!(argument_of(&mut graph, gaussian), expected);
+        let cube = graph.powi(part, 3);
+        let negative = graph.neg(cube);
+        assert_eq!(argument_of(&mut graph, negative), cube);
     }
 }

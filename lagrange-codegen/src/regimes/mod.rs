@@ -184,7 +184,7 @@ pub fn derive(
     let of_solved = Facts::of(&regime, solved);
     let solution = Solution::plan(&mut regime, (&equations, &facts), (solved, &of_solved), diagnostics)?;
     let sides: Vec<jets::Switch> = switches.kinks.iter().copied().zip(guards.kinks.iter().copied()).collect();
-    let in_guards = jets::hidden(&mut regime.graph, &guards.all(), &sides);
+    let in_guards = jets::hidden_beside(&mut regime.graph, &guards.all(), &sides);
     let (hidden, jets) = jets::derive(&mut regime, solved, &sides);
     let orders = jets.as_ref().map(|jets| Expansions::plan(&mut regime, solved, &solution, jets));
     if contacts.is_empty() && jets.is_none() {

@@ -17,9 +17,8 @@ use crate::system::state::State;
 /// equations. The last one is the end of the step.
 pub(super) const PLACES: usize = 7;
 
-/// The most steps of the search for a place. Each halves the bracket of its zero at least once in three
-/// steps.
-const STEPS: usize = 48;
+/// The most steps of the search for a place. Every third one halves the bracket of its zero.
+const STEPS: usize = 159;
 
 /// How near, as a part of the width of the function, a place is found.
 const NEAR: f64 = 0.25;
@@ -29,7 +28,7 @@ const HALVINGS: usize = 5;
 
 /// The third difference of an argument at places, as a part of its range, up to which they show its course: a
 /// sine has six of them in its period then.
-const SMOOTH: f64 = 0.5;
+pub(super) const SMOOTH: f64 = 0.5;
 
 /// Places between the others, in times between these: an argument that varies faster may look smooth at
 /// places that are evenly apart.
@@ -54,9 +53,11 @@ pub(crate) trait Hiding<R, const N: usize> {
 }
 
 /// Those in the equations of a system under control.
-pub(super) struct InEquations<'a, S, C, const K: usize> {
+pub(crate) struct InEquations<'a, S, C, const K: usize> {
     pub system: &'a S,
     pub control: &'a C,
+    /// Whether roots count.
+    pub roots: bool,
 }
 
 impl<S, C, const N: usize, const K: usize> Hiding<S::Scalar, N> for InEquations<'_, S, C, K>
@@ -67,10 +68,14 @@ where
     fn along<const PLACES: usize>(
         &self,
         states: &[State<S::Scalar, N>; PLACES],
-        visit: impl FnMut(Hidden, [S::Scalar; PLACES]),
+        mut visit: impl FnMut(Hidden, [S::Scalar; PLACES]),
     ) {
         let inputs = states.each(|state| self.control.inputs(&state));
-        self.system.hidden_along(states, &inputs, visit);
+        self.system.hidden_along(states, &inputs, |kind, values| {
+            if self.roots || kind != Hidden::Root {
+                visit(kind, values);
+            }
+        });
     }
 }
 
@@ -192,6 +197,7 @@ pub(super) fn range<R: Real, const LENGTH: usize>(kind: Hidden, values: &[R; LEN
     let unit = match kind {
         Hidden::Argument => R::one(),
         Hidden::Base(power) => least / R::from_f64(f64::from(power)),
+        Hidden::Root => least,
     };
     [high - low, unit]
 }
@@ -245,12 +251,23 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
         }
     }
 
-    /// Visits the places at which an argument passes one and minus one.
+    /// Visits the places at which an argument passes one and minus one, and those on both sides of the zero
+    /// of a root.
     fn crossings(&self, from: (R, R), to: (R, R), visit: &mut impl FnMut(R)) {
-        if self.of.kind != Hidden::Argument {
-            return;
+        let (zero, one) = (R::zero(), R::one());
+        match self.of.kind {
+            Hidden::Argument => {}
+            Hidden::Base(_) => return,
+            Hidden::Root => {
+                let passes = -(from.1 * to.1);
+                if any(passes) {
+                    for beside in self.around(zero, from, to, passes) {
+                        visit(beside.where_positive(passes, self.end));
+                    }
+                }
+                return;
+            }
         }
-        let one = R::one();
         // Otherwise one of the places lies within the function.
         let wide = (from.1 - to.1).abs() - (one + one);
         if !any(wide) {
@@ -266,23 +283,35 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
     }
 
     /// The place at which the argument has a value, in the lanes where `active` is positive; the end in the
-    /// others. The Illinois variant of false position (M. Dowell, P. Jarratt, BIT 11, 1971).
+    /// others.
     fn reaching(&self, level: R, from: (R, R), to: (R, R), active: R) -> R {
+        let [_, theta] = self.around(level, from, to, active);
+        theta.where_positive(active, self.end)
+    }
+
+    /// Places on both sides of the one at which the argument has a value, the second one nearest to it, in
+    /// the lanes where `active` is positive. The Illinois variant of false position (M. Dowell, P. Jarratt,
+    /// BIT 11, 1971), with halvings between its steps.
+    fn around(&self, level: R, from: (R, R), to: (R, R), active: R) -> [R; 2] {
         let (one, half) = (R::one(), R::from_f64(0.5));
         let ((mut low, mut below), (mut high, mut above)) = ((from.0, from.1 - level), (to.0, to.1 - level));
-        let mut theta = self.end;
-        for _ in 0..STEPS {
-            theta = (high - above * (high - low) / (above - below)).where_positive(active, self.end);
+        // A root has no width.
+        let near = if self.of.kind == Hidden::Root { R::zero() } else { R::from_f64(NEAR) };
+        for tried in 1..=STEPS {
+            let apart = high - low;
+            let part = if tried % 3 == 0 { half } else { above / (above - below) };
+            let theta = (high - part * apart).where_positive(active, self.end);
             let value = (self.of.value_at)(theta) - level;
-            if (R::from_f64(NEAR) - value.abs()).where_positive(active, one).is_positive() {
-                break;
-            }
             let opposite = -(value * above);
             below = above.where_positive(opposite, below * half);
             low = high.where_positive(opposite, low);
             (high, above) = (theta, value);
+            let resolved = R::epsilon() * self.end.abs() - (high - low).abs();
+            if (near - value.abs()).max(resolved).where_positive(active, one).is_positive() {
+                break;
+            }
         }
-        theta
+        [low, high]
     }
 
     /// Where the argument is largest or smallest near a place, and the width of the function there; `None`
@@ -317,6 +346,10 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
                 break;
             }
             step = (step * R::from_f64(0.125)).max(width);
+            // A root that touches zero has no width.
+            if !any(step - R::epsilon() * self.end.abs()) {
+                break;
+            }
         }
         Some((vertex.where_positive(active, self.end), width.where_positive(active, zero)))
     }
@@ -332,7 +365,8 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
         let unit = match self.of.kind {
             Hidden::Argument => R::one(),
             // Far from the vertex the parabola is no good measure of a small value there.
-            Hidden::Base(power) => {
+            Hidden::Base(_) | Hidden::Root => {
+                let power = if let Hidden::Base(power) = self.of.kind { power } else { 1 };
                 let least = value.abs().min((value + R::from_f64(0.5) * change).abs());
                 least / R::from_f64(f64::from(power))
             }

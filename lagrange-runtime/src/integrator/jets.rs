@@ -15,6 +15,7 @@
 
 mod expansion;
 pub(crate) mod fall;
+mod leap;
 mod memory;
 pub(crate) mod paced;
 pub(crate) mod probe;

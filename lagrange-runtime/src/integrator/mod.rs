@@ -21,6 +21,7 @@ mod slopes;
 mod splitting;
 pub(crate) mod step_size;
 mod tableau;
+pub(crate) mod vanishing;
 
 pub use adaptive::Dop853;
 pub use gauss::{Gauss, Gauss4, Gauss6, Gauss8, LastStep};

@@ -200,7 +200,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
                 natural = probe::restrained(natural, self.last, left.abs()).where_positive(missing, natural);
             }
             let mut length = natural.min(left.abs());
-            if S::STEEP {
+            if S::STEEP || S::ROOTED && self.comes_near_roots(length, direction, orders) {
                 length = self.probed(length, orders, direction, left.abs(), [missing, resolution])?;
             }
             if any(missing.min(resolution - length)) {
@@ -272,6 +272,9 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         if is_free && !self.last.is_positive() {
             probe.look_ahead(left / self.unit, &mut strongest);
         }
+        if !S::STEEP {
+            probe.level(&mut strongest);
+        }
         loop {
             let faults = probe.faults(length / self.unit, &mut strongest);
             if !any(faults) {
@@ -282,7 +285,9 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
                 return Err(Cause::StepTooSmall);
             }
         }
-        self.strongest = strongest;
+        if S::STEEP {
+            self.strongest = strongest;
+        }
         Ok(length)
     }
 

@@ -233,9 +233,11 @@ where
             if above(part, wanted) {
                 return Ok([later * (wanted / part); 2]);
             }
-            // What is far below the one that is wanted may be rounding errors.
             let near = rounding::<S::Scalar>() + wanted / number(FACTOR);
-            if above(largest[1], most(part, near)) {
+            // A load that has shown and falls again grows no further. What comes later is another one. What
+            // is as near to rounding errors as to the load that is wanted may be such errors.
+            let shown = (rounding::<S::Scalar>() * wanted).sqrt();
+            if above(largest[1], most(part + part, shown)) || above(largest[1], most(part, near)) {
                 return first.map(|first| [first, largest[0]]).ok_or(Not::Grown);
             }
             if !above(part, rounding()) {

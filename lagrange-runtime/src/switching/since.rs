@@ -56,6 +56,7 @@ impl<I: System<N, K> + Copy, const N: usize, const K: usize> System<N, K> for In
     const COUPLED: bool = I::COUPLED;
     const CONSERVES_ENERGY: bool = I::CONSERVES_ENERGY;
     const STEEP: bool = I::STEEP;
+    const ROOTED: bool = I::ROOTED;
 
     #[inline]
     fn constants(&self) -> Self::Constants {

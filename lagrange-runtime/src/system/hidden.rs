@@ -10,15 +10,17 @@ pub enum Hidden {
     Argument,
     /// The base of this power or its inverse: the function is narrow where the base is smallest or largest.
     Base(u32),
+    /// A function that others have a kink or a pole at the zeros of.
+    Root,
 }
 
-/// Visits functions that can hide. `at` gives what they depend on at a state: arguments, and at the end the
-/// bases of these powers.
+/// Visits functions that can hide. `at` gives what they depend on at a state: arguments, the bases of these
+/// powers, and so many roots.
 #[inline]
 pub fn hidden<R: Copy, const N: usize, const K: usize, const COUNT: usize, const PLACES: usize>(
     states: &[State<R, N>; PLACES],
     inputs: &[[R; K]; PLACES],
-    powers: &[u32],
+    (powers, roots): (&[u32], usize),
     at: impl Fn(R, &[R; N], &[R; N], &[R; K]) -> [R; COUNT],
     mut visit: impl FnMut(Hidden, [R; PLACES]),
 ) {
@@ -27,8 +29,11 @@ pub fn hidden<R: Copy, const N: usize, const K: usize, const COUNT: usize, const
         at(*t, q, v, &inputs[place])
     });
     (0..COUNT).for_each(|index| {
-        let base = (index + powers.len()).checked_sub(COUNT).and_then(|base| powers.get(base));
-        let kind = base.map_or(Hidden::Argument, |&power| Hidden::Base(power));
+        let kind = match (index + powers.len() + roots).checked_sub(COUNT).map(|base| powers.get(base)) {
+            None => Hidden::Argument,
+            Some(Some(&power)) => Hidden::Base(power),
+            Some(None) => Hidden::Root,
+        };
         visit(kind, array(|place| values[place][index]));
     });
 }

@@ -113,8 +113,13 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// places, too, and they grow with restraint.
     const STEEP: bool = false;
 
-    /// Visits the functions that can hide ([`STEEP`](Self::STEEP)), those of one kind after the other: what
-    /// they are functions of, at each of these states, with inputs for each.
+    /// Whether a function in the equations has a kink or a pole where another one vanishes that a motion may
+    /// take to zero, as the distance of two points. A series goes on behind it on a branch of its own. Steps
+    /// under error control in which such a function comes near zero are compared with the equations.
+    const ROOTED: bool = false;
+
+    /// Visits the functions that can hide ([`STEEP`](Self::STEEP), [`ROOTED`](Self::ROOTED)), those of one
+    /// kind after the other: what they are functions of, at each of these states, with inputs for each.
     #[doc(hidden)]
     fn hidden_along<const PLACES: usize>(
         &self,

@@ -12,5 +12,6 @@ mod line;
 mod mechanics;
 mod narrow;
 mod oracle;
+mod roots;
 mod steps;
 mod units;

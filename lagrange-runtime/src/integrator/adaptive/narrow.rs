@@ -88,10 +88,13 @@ where
     /// Whether what some function depends on varies enough along a step.
     fn varies(&self, states: &[State<S::Scalar, N>; 4]) -> bool {
         let mut varies = false;
-        InEquations { system: self.system, control: self.control }.along(states, |kind, values| {
-            let [range, unit] = range(kind, &values.each(|value| value.part(0)));
-            varies |= any(range - S::Scalar::from_f64(STILL) * unit);
-        });
+        InEquations { system: self.system, control: self.control, roots: false }.along(
+            states,
+            |kind, values| {
+                let [range, unit] = range(kind, &values.each(|value| value.part(0)));
+                varies |= any(range - S::Scalar::from_f64(STILL) * unit);
+            },
+        );
         varies
     }
 
@@ -101,7 +104,7 @@ where
         state_at: &P,
         look: &mut impl FnMut(S::Scalar) -> S::Scalar,
     ) -> S::Scalar {
-        let hiding = InEquations { system: self.system, control: self.control };
+        let hiding = InEquations { system: self.system, control: self.control, roots: false };
         Passage { hiding: &hiding, state_at, theta: num_traits::One::one() }.search(look)
     }
 }

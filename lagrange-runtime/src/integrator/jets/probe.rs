@@ -56,7 +56,7 @@ where
         }
         before = state.v;
     }
-    if any(faults) || !S::STEEP {
+    if any(faults) || !(S::STEEP || S::ROOTED) {
         return faults;
     }
     if let Some(between) = states.last_mut() {
@@ -116,6 +116,17 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
         faults
     }
 
+    /// The strongest acceleration at the start, as that of every coordinate: its rounding errors count where
+    /// roots are looked at. There a force on one part of a system may be nothing but such errors.
+    pub fn level(&self, strongest: &mut [S::Scalar; N]) {
+        let State { t, q, v } = self.start;
+        let found = self.system.accelerations_at(self.constants, *t, q, v, self.inputs);
+        let most = found.iter().chain(strongest.iter()).filter(|a| a.is_finite());
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let most = most.fold(zero, |most, a| most.max(a.part(0).abs()));
+        *strongest = [most; N];
+    }
+
     /// The strongest accelerations that lie ahead of a state at rest, in the lanes that have one: the forces
     /// that will set in are the only measure of the rounding errors of these that are there. What moves meets
     /// other forces before it is there.
@@ -143,7 +154,7 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
             let (q, v) = (moved(&self.start.q, &gain_q), moved(&self.start.v, &gain_v));
             State { t: self.start.t + theta * self.unit, q, v }
         };
-        let hiding = InEquations { system: self.system, control: &Held(*self.inputs) };
+        let hiding = InEquations { system: self.system, control: &Held(*self.inputs), roots: true };
         let passage = Passage { hiding: &hiding, state_at: &state_at, theta };
         faults_along(&passage, self.start, |theta, state, _| faults_at(theta, state))
     }

@@ -4,7 +4,9 @@ use super::super::hidden::{InEquations, Passage};
 use super::super::landing::{Check, Determined, Landing};
 use super::super::lengths::{Lengths, Verdict};
 use super::super::step_size;
+use super::super::vanishing::near_roots;
 use super::expansion::{expand, too_small};
+use super::leap::leap;
 use super::probe::{self, Probe, faults_along};
 use super::{Jets, JetsMemory, singular};
 use crate::number::elements::Each;
@@ -22,9 +24,35 @@ use crate::system::state::State;
 /// it keeps the end within reach of the check.
 const LONGER: f64 = 32.0;
 
-/// One step from the end of the last one towards `target`.
+/// One step from the end of the last one towards `target`: that of a series, or where none is long enough the
+/// leap over a kink.
 #[inline]
 pub(super) fn step<S, const N: usize, const K: usize>(
+    memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
+    system: &S,
+    constants: &S::Constants,
+    control: &Held<S::Scalar, K>,
+    limits: &Limits<S::Scalar>,
+    target: S::Scalar,
+    attempts: &mut u64,
+) -> Result<(), Cause>
+where
+    S: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    match stride(memory, system, constants, control, limits, target, attempts) {
+        Err(Cause::StepTooSmall | Cause::NotFinite)
+            if S::ROOTED && leap(memory, system, constants, control, limits, target) =>
+        {
+            Ok(())
+        }
+        stepped => stepped,
+    }
+}
+
+/// The step of a series.
+#[inline]
+fn stride<S, const N: usize, const K: usize>(
     memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
     system: &S,
     constants: &S::Constants,
@@ -83,7 +111,8 @@ where
     memory.next = if is_free { num_traits::Zero::zero() } else { natural };
     // The end of a polynomial in time is told by the equations alone. A constrained step is always compared
     // with them.
-    if !S::CONSTRAINED && (S::STEEP || is_free) {
+    let hiding = InEquations { system, control, roots: true };
+    if !S::CONSTRAINED && (S::STEEP || is_free || comes_near_roots(memory, &hiding, theta)) {
         let free = is_free.then_some(left);
         shorten(memory, system, constants, control, limits, (free, resolution))?;
     }
@@ -135,14 +164,15 @@ where
         let slopes = |theta| memory.series.slopes(theta, memory.orders).each(|slope| slope / memory.unit);
         let on_the_way = |landing: &Landing<S::Scalar, N>| {
             let state_at = |theta| memory.state_at(theta);
-            let hiding = InEquations { system, control };
+            let hiding = InEquations { system, control, roots: true };
             let passage = Passage { hiding: &hiding, state_at: &state_at, theta };
             // The end is checked beside this.
             let look = |theta, state: &State<S::Scalar, N>, is_end| {
                 let agrees = is_end || check.agrees(state, &slopes(theta), landing);
                 if agrees { num_traits::Zero::zero() } else { num_traits::One::one() }
             };
-            !S::STEEP || !any(faults_along(&passage, &memory.start, look))
+            !(S::STEEP || comes_near_roots(memory, &hiding, theta))
+                || !any(faults_along(&passage, &memory.start, look))
         };
         let last_terms = |landing: &Landing<S::Scalar, N>| {
             theta <= measured
@@ -201,6 +231,20 @@ where
     (longest > theta * unit).then(|| longest / unit)
 }
 
+/// Whether a root comes near zero in the first `theta` units, at whose end the memory is.
+#[inline]
+fn comes_near_roots<S, const N: usize, const K: usize>(
+    memory: &<Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
+    hiding: &InEquations<'_, S, Held<S::Scalar, K>, K>,
+    theta: S::Scalar,
+) -> bool
+where
+    S: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    S::ROOTED && any(near_roots(hiding, [&memory.start, &memory.end], theta * memory.unit))
+}
+
 /// Halves the step until it obeys the equations of motion. `free` is the time to go if the motion is a
 /// polynomial in time.
 #[cold]
@@ -232,6 +276,9 @@ where
     if let (Some(left), false) = (free, memory.last.is_positive()) {
         probe.look_ahead(left / memory.unit, &mut strongest);
     }
+    if !S::STEEP {
+        probe.level(&mut strongest);
+    }
     let (mut length, mut is_shorter) = (memory.end.t - start.t, false);
     while any(probe.faults(length / memory.unit, &mut strongest)) {
         length *= S::Scalar::from_f64(0.5);
@@ -245,6 +292,8 @@ where
     if is_shorter {
         memory.reach(length / memory.unit);
     }
-    memory.strongest = strongest;
+    if S::STEEP {
+        memory.strongest = strongest;
+    }
     Ok(())
 }

@@ -5,13 +5,16 @@ use core::iter::once;
 
 use super::Batch;
 use crate::integrator::dop853::add;
+use crate::integrator::hidden::InEquations;
 use crate::integrator::landing::NOISE;
 use crate::integrator::landing::energy::{blurred, energy};
 use crate::integrator::lengths::{PARTS, enough};
+use crate::integrator::vanishing::near_roots;
 use crate::linear::determined;
-use crate::number::elements::Each;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Real, any};
 use crate::system::System;
+use crate::system::control::Held;
 use crate::system::error::Cause;
 use crate::system::metric::Metric;
 use crate::system::smooth::Smooth;
@@ -126,6 +129,17 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
             (state.v[i], residue.v[i]) = add(state.v[i], residue.v[i], gain_v[i]);
         }
         if state.is_finite() { Ok((state, residue)) } else { Err(Cause::NotFinite) }
+    }
+
+    /// Whether a root comes near zero in some lane on a step.
+    #[inline]
+    pub(super) fn comes_near_roots(&self, length: S::Scalar, direction: S::Scalar, orders: usize) -> bool {
+        let (gain_q, gain_v) = self.series.gain(length / self.unit, orders);
+        let State { t, q, v } = &self.state;
+        let moved = |from: &[S::Scalar; N], gain: [S::Scalar; N]| array(|i| from[i] + gain[i]);
+        let end = State { t: *t + direction * length, q: moved(q, gain_q), v: moved(v, gain_v) };
+        let hiding = InEquations { system: self.system, control: &Held(self.inputs), roots: true };
+        any(near_roots(&hiding, [&self.state, &end], direction * length))
     }
 }
 

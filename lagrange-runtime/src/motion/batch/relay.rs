@@ -118,7 +118,7 @@ where
     pub fn unsuited() -> Option<&'static str> {
         if S::CONSTRAINED && !S::LANDS_APART {
             Some("has constraints, whose pivots and corrections lanes would share")
-        } else if S::STEEP {
+        } else if S::STEEP || S::ROOTED {
             Some("has a function that hides from Taylor series, whose steps are compared with the equations")
         } else if S::SHARES_PIVOTS {
             Some("has a mass matrix that may be indefinite, whose pivots lanes would share")
