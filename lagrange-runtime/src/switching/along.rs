@@ -251,8 +251,19 @@ where
             let curve = whole.on(num_traits::Zero::zero(), until);
             let lacks = (curve.end() - end.value.value).abs();
             let bound = course.allowed() * curve.extent() + end.value.error;
+            // A reaction has no value but that of its series, whose last terms show how well it is known.
+            if self.is_of_reactions(guard) {
+                let last = course.last_of_reactions(&curve);
+                let allowed = course.allowed() * curve.extent();
+                if last <= allowed || !last.is_finite() || until < shortest {
+                    return Known::Series(end);
+                }
+                let order = S::Scalar::from_f64(course.order() as f64);
+                until *= S::Scalar::from_f64(NEARER) * ((allowed / last).ln() / order).exp();
+                continue;
+            }
             // Without a bound, as beside a pole, nothing agrees.
-            if self.is_of_reactions(guard) || lacks <= bound && bound.is_finite() {
+            if lacks <= bound && bound.is_finite() {
                 return Known::Series(end);
             }
             if until < shortest {
@@ -301,7 +312,7 @@ where
         let mut reactions = [Rounded::exact(num_traits::Zero::zero()); C];
         if own.has_reactions() {
             for (row, reaction) in reactions.iter_mut().enumerate() {
-                *reaction = Rounded { value: course.reaction_at(row, C, part), error: borne.errors[row] };
+                *reaction = Rounded { value: course.reaction_at(row, C, part), error: borne.error(row, part) };
             }
         }
         let Rounded { value, error } = *own.rounded(state, errors, &reactions).get(guard);

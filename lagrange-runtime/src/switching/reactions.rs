@@ -20,12 +20,21 @@ pub(super) struct Borne<R, const N: usize, const C: usize> {
     /// The effect of rounding errors of the forces on velocities until the end of the step. An acceleration
     /// may be a small difference of forces, as where a slip begins, so that its own size tells nothing.
     pub(super) roundings: [R; N],
-    /// The errors of the polynomials of reactions, rounding and truncation; zero where no guard is made of
-    /// reactions.
-    pub(super) errors: [R; C],
+    /// The rounding errors of the polynomials of reactions; zero where no guard is made of reactions.
+    errors: [R; C],
+    /// The truncation errors at the end of the step, which are of at least this order.
+    left: [R; C],
+    order: usize,
     /// Whether these converge on the whole of the step as the motion does, to half of the digits of its
     /// tolerance.
     pub(super) is_known: bool,
+}
+
+impl<R: Real, const N: usize, const C: usize> Borne<R, N, C> {
+    /// The error of the polynomial of a reaction after a part of the step, rounding and truncation.
+    pub(super) fn error(&self, row: usize, part: R) -> R {
+        entry(&self.errors, row) + entry(&self.left, row) * part.powi(self.order as i32)
+    }
 }
 
 /// Rows of gradients in units in which coordinates have unit mass.
@@ -167,7 +176,9 @@ where
     /// How well the reactions along a step are known.
     pub(super) fn borne(&self, course: &Course<'_, S::Scalar, N>) -> Borne<S::Scalar, N, C> {
         let zero: S::Scalar = num_traits::Zero::zero();
-        let mut borne = Borne { roundings: [zero; N], errors: [zero; C], is_known: true };
+        let order = course.order().saturating_sub(2);
+        let (errors, left) = ([zero; C], [zero; C]);
+        let mut borne = Borne { roundings: [zero; N], errors, left, order, is_known: true };
         let State { t, q, v } = self.start;
         let Some(known) = S::rows_in(self.in_regime, *t, q, v, self.inputs) else { return borne };
         let terms = &course.terms;
@@ -215,10 +226,10 @@ where
         {
             equations.saddle.bound_loads(&mut sizes);
         }
-        let left: [S::Scalar; C] = array(|row| last[0][row] + last[1][row]);
+        borne.left = array(|row| last[0][row] + last[1][row]);
         let share = course.left.sqrt();
-        borne.is_known = (0..C).all(|row| left[row] <= share * sizes[row]);
-        borne.errors = array(|row| rounding * sizes[row] + left[row]);
+        borne.is_known = (0..C).all(|row| borne.left[row] <= share * sizes[row]);
+        borne.errors = array(|row| rounding * sizes[row]);
         borne
     }
 }

@@ -87,7 +87,10 @@ where
             } else {
                 (curve.end() - ends.end.get(guard).part(0)).abs() <= course.allowed() * curve.extent()
             };
-            let (before, short) = (self.before(guard, &curve, fired), curve.shortened(DEGREE));
+            let (before, mut short) = (self.before(guard, &curve, fired), curve.shortened(DEGREE));
+            if self.is_of_reactions(guard) {
+                short.error += course.last_of_reactions(&curve);
+            }
             // A switching function that is zero without roundings is that of something at rest.
             let rests = matches!(guard, Guard::Kink(_)) && curve.extent() == num_traits::Zero::zero();
             converges && (rests || stays_above(&short) || rises(&short, before))
