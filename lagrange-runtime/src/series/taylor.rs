@@ -84,7 +84,6 @@ impl<R: Ordered> Taylor<R> {
     }
 
     /// The value where a part of the interval has passed.
-    #[cfg(test)]
     pub(crate) fn at(&self, place: R) -> R {
         self.terms().iter().rev().fold(R::zero(), |sum, &term| R::mul_add(sum, place, term))
     }

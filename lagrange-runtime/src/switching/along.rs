@@ -184,7 +184,7 @@ where
             if until < before {
                 found = Found { first: None, is_shared: false, until };
             }
-            if let Some(fall) = self.shared(course, until) {
+            if let Some(fall) = self.shared(course, until, &ends.start) {
                 (found.first, found.is_shared) = (Some((fall, guard)), true);
             }
         }
@@ -254,7 +254,7 @@ where
             // A reaction has no value but that of its series, whose last terms show how well it is known.
             if self.is_of_reactions(guard) {
                 let last = course.last_of_reactions(&curve);
-                let allowed = course.allowed() * curve.extent();
+                let allowed = larger(course.left, S::Scalar::epsilon()) * curve.extent();
                 if last <= allowed || !last.is_finite() || until < shortest {
                     return Known::Series(end);
                 }
@@ -312,7 +312,8 @@ where
         let mut reactions = [Rounded::exact(num_traits::Zero::zero()); C];
         if own.has_reactions() {
             for (row, reaction) in reactions.iter_mut().enumerate() {
-                *reaction = Rounded { value: course.reaction_at(row, C, part), error: borne.error(row, part) };
+                *reaction =
+                    Rounded { value: course.reaction_at(row, C, part), error: borne.error(row, part) };
             }
         }
         let Rounded { value, error } = *own.rounded(state, errors, &reactions).get(guard);

@@ -34,6 +34,7 @@ mod narrow;
 mod nested;
 mod normals;
 mod onsets;
+mod overloads;
 mod piles;
 mod random;
 mod reactions;

@@ -5,9 +5,9 @@
 //! lane does follows from its own numbers: its steps, its unit of time, whether it stops. So the bits of a
 //! motion are the same in any lane, beside any others.
 //!
-//! That holds for systems without functions that hide from series ([`Smooth::STEEP`]) and without shared
-//! pivots ([`Smooth::SHARES_PIVOTS`]), and with constraints that need no decision for all lanes: see
-//! [`Relay::unsuited`].
+//! That holds for systems without functions that hide from series ([`STEEP`](crate::System::STEEP),
+//! [`ROOTED`](crate::System::ROOTED)) and without shared pivots ([`Smooth::SHARES_PIVOTS`]), and with
+//! constraints that need no decision for all lanes: see [`Relay::unsuited`].
 
 mod abreast;
 mod alone;

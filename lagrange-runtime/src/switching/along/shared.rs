@@ -7,7 +7,7 @@
 
 use super::super::Switching;
 use super::super::course::Course;
-use super::super::guards::{Guard, Guards, PLACES};
+use super::super::guards::{Guard, Guards, PLACES, Parts};
 use super::super::known::Known;
 use super::super::loose::{is_shared, may_share};
 use super::super::scales::Scales;
@@ -21,6 +21,10 @@ use crate::system::state::State;
 /// How often the part of the step is halved in which shares cease to be possible. Halving ends where places
 /// have no number between them.
 const HALVINGS: usize = 64;
+
+/// The number of parts, of the way from one place to the next, on which the least values of guards are looked
+/// for.
+const LOOKS: usize = 8;
 
 /// How to tell whether shares are possible.
 #[derive(Clone, Copy)]
@@ -76,6 +80,7 @@ where
         &self,
         course: &Course<'_, S::Scalar, N>,
         until: S::Scalar,
+        start: &Parts<S::Scalar, C, W>,
     ) -> Option<Fall<S::Scalar>> {
         let number = S::Scalar::from_f64;
         // Cones of friction leave thin sets of shares before the last ones are gone. Without them, and where
@@ -85,13 +90,7 @@ where
         let way = if is_within { Way::ByMargin } else { Way::AsChosen };
         let holds = |place: S::Scalar| self.holds(&course.at(self.start, place)[0], way);
         let mut low = num_traits::Zero::zero();
-        for part in PLACES {
-            let place = number(part) * until;
-            if holds(place) {
-                low = place;
-                continue;
-            }
-            let mut high = place;
+        let between = |mut low: S::Scalar, mut high: S::Scalar| {
             for _ in 0..HALVINGS {
                 let middle = number(0.5) * (low + high);
                 if middle <= low || middle >= high {
@@ -103,9 +102,55 @@ where
                     high = middle;
                 }
             }
-            return Some(Fall { place: low, fallen: high });
+            Fall { place: low, fallen: high }
+        };
+        for part in PLACES {
+            let place = number(part) * until;
+            // A load may be too large for a moment between two places. There the shortest reactions exceed
+            // their limits most.
+            let mut first: Option<S::Scalar> = None;
+            self.exceeded(course, start, [low, place], |most| {
+                if first.is_none_or(|first| most < first) && !holds(most) {
+                    first = Some(most);
+                }
+            });
+            match first {
+                Some(exceeded) => return Some(between(low, exceeded)),
+                None if holds(place) => low = place,
+                None => return Some(between(low, place)),
+            }
         }
         None
+    }
+
+    /// Visits the places between two of a step at which the guards of the shortest reactions of rows that
+    /// share a load are least, and below zero.
+    fn exceeded(
+        &self,
+        course: &Course<'_, S::Scalar, N>,
+        start: &Parts<S::Scalar, C, W>,
+        [from, to]: [S::Scalar; 2],
+        mut visit: impl FnMut(S::Scalar),
+    ) {
+        let part = S::Scalar::from_f64(1.0 / LOOKS as f64);
+        let apart = (to - from) * part;
+        for guard in self.all().filter(|&guard| self.may_share(guard)) {
+            for direction in self.directions_of(guard) {
+                let Some(curve) = self.curve(guard, direction, course, start) else { continue };
+                let at = |look: usize| from + S::Scalar::from_f64(look as f64) * apart;
+                for look in 1..LOOKS {
+                    let [before, here, after] = [look - 1, look, look + 1].map(|look| curve.at(at(look)));
+                    if here >= num_traits::Zero::zero() || here > before || here > after {
+                        continue;
+                    }
+                    // The vertex of the parabola through the three.
+                    let bend = (before - here) + (after - here);
+                    let shift = S::Scalar::from_f64(0.5) * (before - after) / bend;
+                    let is_inside = shift.is_finite() && shift.abs() <= num_traits::One::one();
+                    visit(if is_inside { at(look) + shift * apart } else { at(look) });
+                }
+            }
+        }
     }
 
     /// Whether reactions are possible with which all goes on at a state as it does in the regime.
