@@ -4,7 +4,8 @@
 //! few of its widths away. What it is a function of does not: x/w is a smooth function along the step. So the
 //! narrow function lies where its argument passes zero, or is largest or smallest, and its width is the time
 //! in which the argument changes by one. A power, such as (x² + ε²)^(−3/2) or cos⁴⁰t, is narrow where its
-//! base is smallest or largest, and its width is the time in which it changes by a factor of about e.
+//! base is smallest or largest, and its width is the time in which it changes by a factor of about e. A root
+//! or a pole has its kink where its base vanishes.
 
 use crate::number::elements::{Each, array};
 use crate::number::real::{Real, any};
@@ -194,11 +195,7 @@ pub(super) fn range<R: Real, const LENGTH: usize>(kind: Hidden, values: &[R; LEN
     for &value in values {
         (low, high, least) = (low.min(value), high.max(value), least.min(value.abs()));
     }
-    let unit = match kind {
-        Hidden::Argument => R::one(),
-        Hidden::Base(power) => least / R::from_f64(f64::from(power)),
-        Hidden::Root => least,
-    };
+    let unit = kind.power::<R>().map_or(R::one(), |power| least / power);
     [high - low, unit]
 }
 
@@ -362,15 +359,10 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
     /// The time in which an argument with this second derivative changes by one, or a power by a factor. The
     /// parabola falls by half of `change` from the value to its vertex.
     fn width(&self, value: R, change: R, bend: R) -> R {
-        let unit = match self.of.kind {
-            Hidden::Argument => R::one(),
+        let unit = self.of.kind.power::<R>().map_or(R::one(), |power| {
             // Far from the vertex the parabola is no good measure of a small value there.
-            Hidden::Base(_) | Hidden::Root => {
-                let power = if let Hidden::Base(power) = self.of.kind { power } else { 1 };
-                let least = value.abs().min((value + R::from_f64(0.5) * change).abs());
-                least / R::from_f64(f64::from(power))
-            }
-        };
+            value.abs().min((value + R::from_f64(0.5) * change).abs()) / power
+        });
         ((unit + unit) / bend.abs()).sqrt()
     }
 }

@@ -1,6 +1,7 @@
 //! Functions that can hide from a step of a motion, by what they depend on.
 
 use crate::number::elements::array;
+use crate::number::real::Real;
 use crate::system::state::State;
 
 /// A function that can hide from a step, by what its narrow place depends on.
@@ -12,6 +13,17 @@ pub enum Hidden {
     Base(u32),
     /// A function that others have a kink or a pole at the zeros of.
     Root,
+}
+
+impl Hidden {
+    /// The power of a base; one for a root, and `None` for an argument.
+    pub(crate) fn power<R: Real>(self) -> Option<R> {
+        match self {
+            Self::Argument => None,
+            Self::Base(power) => Some(R::from_f64(f64::from(power))),
+            Self::Root => Some(R::one()),
+        }
+    }
 }
 
 /// Visits functions that can hide. `at` gives what they depend on at a state: arguments, the bases of these
