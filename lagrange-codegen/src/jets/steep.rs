@@ -58,23 +58,34 @@ impl Hidden {
     }
 }
 
-/// The same of functions beside the equations, whose roots have no say in a step.
+/// The same of functions beside the equations, whose roots have no say in a step. They count where they are
+/// largest, so that a square is looked at by itself: its vertex is the middle of a Gaussian.
 pub fn hidden_beside(graph: &mut Graph, root: &[NodeId], switches: &[Switch]) -> Option<Hidden> {
-    let hidden = hidden(graph, root, switches).filter(|hidden| hidden.is_steep)?;
+    let hidden = found(graph, root, switches, argument_itself).filter(|hidden| hidden.is_steep)?;
     Some(Hidden { roots: Vec::new(), ..hidden })
 }
 
 /// Finds what the functions in the equations depend on that can hide from a series. `None` means that no
 /// function can.
-pub fn hidden(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -> Option<Hidden> {
+pub(super) fn hidden(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -> Option<Hidden> {
+    found(graph, roots, switches, argument_of)
+}
+
+/// The same, by what `argument` makes of that of a function.
+fn found(
+    graph: &mut Graph,
+    roots: &[NodeId],
+    switches: &[Switch],
+    argument: impl Fn(&mut Graph, NodeId) -> NodeId,
+) -> Option<Hidden> {
     let mut found = Found::default();
     for id in graph.cone(roots.iter().copied()) {
         if graph.dependence(id).is_fixed() {
             continue;
         }
         match graph.node(id).clone() {
-            Node::Unary(function, argument) if hides(function) => {
-                let own = argument_of(graph, argument);
+            Node::Unary(function, of) if hides(function) => {
+                let own = argument(graph, of);
                 found.argument(graph, own);
             }
             Node::Unary(function, argument) if is_singular(function) => {
@@ -148,11 +159,16 @@ impl Found {
     }
 }
 
-/// What a function depends on, with a positive sign. Of a square it is the root, which shows by its sign
-/// where it passes zero: as much of exp(−(x/w)²) as of any function of x/w lies between −1 and 1.
+/// The argument of a function, with a positive sign.
+fn argument_itself(graph: &mut Graph, argument: NodeId) -> NodeId {
+    let (coefficient, _) = graph.scaled(argument);
+    if coefficient.is_negative() { graph.neg(argument) } else { argument }
+}
+
+/// The same, but of a square its root, which shows by its sign where it passes zero: as much of exp(−(x/w)²) as of any function of x/w lies between −1 and 1.
 fn argument_of(graph: &mut Graph, argument: NodeId) -> NodeId {
     let (coefficient, node) = graph.scaled(argument);
-    let positive = if coefficient.is_negative() { graph.neg(argument) } else { argument };
+    let positive = argument_itself(graph, argument);
     let mut factors = graph.factors(node);
     let is_moving = |graph: &Graph, node: NodeId| !graph.dependence(node).is_fixed();
     if factors.iter().any(|&(factor, power)| power.0 % if is_moving(graph, factor) { 4 } else { 2 } != 0) {

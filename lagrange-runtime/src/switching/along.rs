@@ -251,11 +251,12 @@ where
             let curve = whole.on(num_traits::Zero::zero(), until);
             let lacks = (curve.end() - end.value.value).abs();
             let bound = course.allowed() * curve.extent() + end.value.error;
-            // A reaction has no value but that of its series, whose last terms show how well it is known.
+            // A reaction has no value but that of its series, which converges as the motion does. At rest there
+            // is no motion to make the step short enough for it.
             if self.is_of_reactions(guard) {
                 let last = course.last_of_reactions(&curve);
-                let allowed = larger(course.left, S::Scalar::epsilon()) * curve.extent();
-                if last <= allowed || !last.is_finite() || until < shortest {
+                let allowed = course.left * curve.extent();
+                if !course.rests() || last <= allowed || !last.is_finite() || until < shortest {
                     return Known::Series(end);
                 }
                 let order = S::Scalar::from_f64(course.order() as f64);

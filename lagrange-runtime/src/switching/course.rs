@@ -69,6 +69,11 @@ impl<'a, R: Ordered, const N: usize> Course<'a, R, N> {
         Self { terms: Terms { functions, ..terms }, rows, left }
     }
 
+    /// Whether nothing moves on the step.
+    pub(super) fn rests(&self) -> bool {
+        self.rows.iter().all(|rows| rows.iter().all(|row| row.iter().all(|term| term.is_zero())))
+    }
+
     /// The duration of the step \[s], without direction.
     pub(super) fn time(&self) -> R {
         (self.terms.length * self.terms.unit).abs()

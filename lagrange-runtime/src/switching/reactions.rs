@@ -22,9 +22,11 @@ pub(super) struct Borne<R, const N: usize, const C: usize> {
     pub(super) roundings: [R; N],
     /// The rounding errors of the polynomials of reactions; zero where no guard is made of reactions.
     errors: [R; C],
-    /// The truncation errors at the end of the step, which are of at least this order.
+    /// The truncation errors at the end of the step.
     left: [R; C],
-    order: usize,
+    /// The order with which these grow at rest, where a part of the step may be all that is known. On a step
+    /// that moves they count as a whole.
+    order: i32,
     /// Whether these converge on the whole of the step as the motion does, to half of the digits of its
     /// tolerance.
     pub(super) is_known: bool,
@@ -33,7 +35,7 @@ pub(super) struct Borne<R, const N: usize, const C: usize> {
 impl<R: Real, const N: usize, const C: usize> Borne<R, N, C> {
     /// The error of the polynomial of a reaction after a part of the step, rounding and truncation.
     pub(super) fn error(&self, row: usize, part: R) -> R {
-        entry(&self.errors, row) + entry(&self.left, row) * part.powi(self.order as i32)
+        entry(&self.errors, row) + entry(&self.left, row) * part.powi(self.order)
     }
 }
 
@@ -176,7 +178,7 @@ where
     /// How well the reactions along a step are known.
     pub(super) fn borne(&self, course: &Course<'_, S::Scalar, N>) -> Borne<S::Scalar, N, C> {
         let zero: S::Scalar = num_traits::Zero::zero();
-        let order = course.order().saturating_sub(2);
+        let order = if course.rests() { course.order().saturating_sub(2) as i32 } else { 0 };
         let (errors, left) = ([zero; C], [zero; C]);
         let mut borne = Borne { roundings: [zero; N], errors, left, order, is_known: true };
         let State { t, q, v } = self.start;

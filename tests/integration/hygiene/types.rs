@@ -2,7 +2,7 @@
 
 use lagrangian::prelude::*;
 
-use crate::support::close::all_close;
+use crate::support::close::{all_close, close};
 
 /// Lifetimes, const parameters and where clauses of the type are kept.
 struct Weighted<'a, const K: usize, T>
@@ -261,4 +261,34 @@ mod letters {
         }
         bounces!(of_t of_s of_r of_x);
     }
+}
+
+/// A system with the name of a parameter of generated code: of products enough for loops over their rows.
+struct W;
+
+#[lagrangian(coordinates = [theta: [4]])]
+impl W {
+    #[point(mass = 1.0)]
+    fn joints(&self, q: &Coordinates) -> [Vector2<f64>; 4] {
+        let mut joints = [Vector2::zeros(); 4];
+        let mut end = Vector2::zeros();
+        for i in 0..4 {
+            end += Vector2::new(q.theta[i].sin(), -q.theta[i].cos());
+            joints[i] = end;
+        }
+        joints
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        self.joints(q).iter().map(|joint| 9.81 * joint.y).sum()
+    }
+}
+
+#[test]
+fn a_system_may_have_the_name_of_a_parameter() {
+    let start = State::at_rest([0.3, -0.2, 0.5, 0.1]);
+    let mut motion = W.simulate(start);
+    motion.advance_to(1.0).unwrap();
+    close(motion.energy(), W.energy(&start), 1e-9);
 }

@@ -30,8 +30,8 @@ pub(super) fn items(model: &Model, tiles: &Tiles, factors: &[Factor], of: &Of) -
             "struct Pattern{index};\n\
              impl lagrange::jets::Pattern<{columns}, {products}> for Pattern{index} {{\n\
              #[inline(always)]\n\
-             fn add<R: lagrange::Real, const W: usize>(low: &[R; {columns}], high: &[R; {columns}], \
-             place: [usize; 2], sum: &mut [[R; W]; {products}]) {{\n{}}}\n}}\n",
+             fn add<R: lagrange::Real, const __WIDTH: usize>(low: &[R; {columns}], high: &[R; {columns}], \
+             place: [usize; 2], sum: &mut [[R; __WIDTH]; {products}]) {{\n{}}}\n}}\n",
             body(model, pattern, factors, of)
         ));
     }
@@ -48,7 +48,7 @@ fn body(model: &Model, pattern: &Pattern, factors: &[Factor], of: &Of) -> String
     for (column, &factor) in pattern.columns.iter().zip(&pattern.factors) {
         let name = names.claim(of.factor(factors[factor].operand));
         text.push_str(&format!(
-            "let {name} = lagrange::jets::column::<_, _, W>(low, high, place, {column});\n"
+            "let {name} = lagrange::jets::column::<_, _, __WIDTH>(low, high, place, {column});\n"
         ));
         columns.push(name);
     }
