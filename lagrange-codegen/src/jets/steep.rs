@@ -165,7 +165,8 @@ fn argument_itself(graph: &mut Graph, argument: NodeId) -> NodeId {
     if coefficient.is_negative() { graph.neg(argument) } else { argument }
 }
 
-/// The same, but of a square its root, which shows by its sign where it passes zero: as much of exp(−(x/w)²) as of any function of x/w lies between −1 and 1.
+/// The same, but of a square its root, which shows by its sign where it passes zero: as much of
+/// exp(−(x/w)²) as of any function of x/w lies between −1 and 1.
 fn argument_of(graph: &mut Graph, argument: NodeId) -> NodeId {
     let (coefficient, node) = graph.scaled(argument);
     let positive = argument_itself(graph, argument);
