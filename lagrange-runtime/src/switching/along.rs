@@ -251,8 +251,8 @@ where
             let curve = whole.on(num_traits::Zero::zero(), until);
             let lacks = (curve.end() - end.value.value).abs();
             let bound = course.allowed() * curve.extent() + end.value.error;
-            // A reaction has no value but that of its series, which converges as the motion does. At rest there
-            // is no motion to make the step short enough for it.
+            // A reaction has no value but that of its series, which converges as the motion does. At rest
+            // there is no motion to make the step short enough for it.
             if self.is_of_reactions(guard) {
                 let last = course.last_of_reactions(&curve);
                 let allowed = course.left * curve.extent();
