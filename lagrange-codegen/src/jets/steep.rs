@@ -58,6 +58,12 @@ impl Hidden {
     }
 }
 
+/// Finds what the functions in the equations depend on that can hide from a series. `None` means that no
+/// function can.
+pub(super) fn hidden(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -> Option<Hidden> {
+    found(graph, roots, switches, argument_of)
+}
+
 /// The same of functions beside the equations, whose roots have no say in a step. They count where they are
 /// largest, so that a square is looked at by itself: its vertex is the middle of a Gaussian.
 pub fn hidden_beside(graph: &mut Graph, root: &[NodeId], switches: &[Switch]) -> Option<Hidden> {
@@ -65,13 +71,7 @@ pub fn hidden_beside(graph: &mut Graph, root: &[NodeId], switches: &[Switch]) ->
     Some(Hidden { roots: Vec::new(), ..hidden })
 }
 
-/// Finds what the functions in the equations depend on that can hide from a series. `None` means that no
-/// function can.
-pub(super) fn hidden(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -> Option<Hidden> {
-    found(graph, roots, switches, argument_of)
-}
-
-/// The same, by what `argument` makes of that of a function.
+/// What can hide in these functions, by what `argument` makes of the argument of one.
 fn found(
     graph: &mut Graph,
     roots: &[NodeId],

@@ -5,10 +5,10 @@ use crate::system::state::State;
 
 /// Allowed difference of the accelerations, in tolerances. At the end of a step the truncated series, or the
 /// polynomial of a Runge–Kutta method, differs from the motion by a few of them.
-pub(crate) const MARGIN: f64 = 16.0;
+const MARGIN: f64 = 16.0;
 
 /// Uncertainty of accelerations, in ulps of the largest one.
-pub(crate) const NOISE: f64 = 256.0;
+const NOISE: f64 = 256.0;
 
 /// A step, and what its polynomial may be off.
 pub(crate) struct Agreement<'a, R, const N: usize> {

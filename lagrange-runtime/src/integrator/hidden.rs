@@ -7,6 +7,8 @@
 //! base is smallest or largest, and its width is the time in which it changes by a factor of about e. A root
 //! or a pole has its kink where its base vanishes.
 
+use core::cell::Cell;
+
 use crate::number::elements::{Each, array};
 use crate::number::real::{Real, any};
 use crate::system::System;
@@ -87,6 +89,21 @@ pub(crate) struct Passage<'a, H, R, P> {
     pub state_at: &'a P,
     /// The length of the step.
     pub theta: R,
+}
+
+/// The states of a step from a function that keeps what it has made of it, as the polynomial of a method. A
+/// state that is not known is NaN.
+pub(crate) fn states_of<R: Real, const N: usize>(
+    at: impl FnMut(R) -> Option<State<R, N>>,
+) -> impl Fn(R) -> State<R, N> {
+    let at = Cell::new(Some(at));
+    move |part| {
+        let nan = R::from_f64(f64::NAN);
+        let mut own = at.take();
+        let state = own.as_mut().and_then(|own| own(part));
+        at.set(own);
+        state.unwrap_or(State { t: nan, q: [nan; N], v: [nan; N] })
+    }
 }
 
 /// What a function that may hide depends on.

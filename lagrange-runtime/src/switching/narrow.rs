@@ -5,12 +5,10 @@
 //! are narrow ([`hidden`](crate::integrator::hidden)). A guard that has fallen there, but not on its
 //! polynomial, ends the piece on the way. The next series starts nearer, and knows more.
 
-use core::cell::Cell;
-
 use super::Switching;
 use super::guards::{Guard, Guards};
-use crate::integrator::hidden::{Hiding, Passage};
-use crate::number::real::{Ordered, Real, smaller};
+use crate::integrator::hidden::{Hiding, Passage, states_of};
+use crate::number::real::{Ordered, smaller};
 use crate::system::hidden::Hidden;
 use crate::system::state::State;
 
@@ -44,34 +42,28 @@ where
     /// reactions are left out: others may bear what one does not. `at` gives the state after a part.
     pub(super) fn fallen_inside(
         &self,
-        mut at: impl FnMut(S::Scalar) -> Option<State<S::Scalar, N>>,
+        at: impl FnMut(S::Scalar) -> Option<State<S::Scalar, N>>,
     ) -> Option<(S::Scalar, Guard)> {
-        let (nan, one) = (S::Scalar::from_f64(f64::NAN), num_traits::One::one());
-        let at = Cell::new(Some(&mut at));
-        let state_at = |part: S::Scalar| {
-            let nowhere = State { t: nan, q: [nan; N], v: [nan; N] };
-            let Some(own) = at.take() else { return nowhere };
-            let state = own(part);
-            at.set(Some(own));
-            state.unwrap_or(nowhere)
-        };
+        let state_at = states_of(at);
         let mut first: Option<(S::Scalar, Guard)> = None;
         let hiding: InGuards<'_, S, N, K, C, W> = InGuards { in_regime: self.in_regime, inputs: self.inputs };
-        Passage { hiding: &hiding, state_at: &state_at, theta: one }.search(|part: S::Scalar| {
-            let state = state_at(part);
-            let mut own = self.all().filter(|&guard| !self.is_of_reactions(guard));
-            let fallen = own.find(|&guard| {
-                // The time of an impact is rounded, so that a gap may be below zero where a piece starts.
-                let [before, there] = [self.start, &state].map(|state| self.value(guard, state, state));
-                there.value < smaller(before.value, num_traits::Zero::zero()) - there.error
-            });
-            if let Some(guard) = fallen
-                && first.is_none_or(|(other, _)| part < other)
-            {
-                first = Some((part, guard));
-            }
-            num_traits::Zero::zero()
-        });
+        Passage { hiding: &hiding, state_at: &state_at, theta: num_traits::One::one() }.search(
+            |part: S::Scalar| {
+                let state = state_at(part);
+                let mut own = self.all().filter(|&guard| !self.is_of_reactions(guard));
+                let fallen = own.find(|&guard| {
+                    // The time of an impact is rounded, so that a gap may be below zero where a piece starts.
+                    let [before, there] = [self.start, &state].map(|state| self.value(guard, state, state));
+                    there.value < smaller(before.value, num_traits::Zero::zero()) - there.error
+                });
+                if let Some(guard) = fallen
+                    && first.is_none_or(|(other, _)| part < other)
+                {
+                    first = Some((part, guard));
+                }
+                num_traits::Zero::zero()
+            },
+        );
         first
     }
 }

@@ -51,7 +51,7 @@ line!(Fold { pull }, |self, q, _v, _t| self.pull * q.x.cos().acos(), 0.0);
 line!(Hinge { pull }, |self, q, _v, _t| self.pull * (1.0 - q.x.cos().powi(2)).sqrt(), 0.0);
 line!(Absolute { pull }, |self, q, _v, _t| self.pull * q.x.abs(), 0.0);
 line!(Sine { pull }, |self, q, _v, _t| self.pull * q.x.sin().abs(), 0.0);
-line!(Near { gap }, |self, q, _v, _t| (1.0 - (1.0 - self.gap) * q.x.sin().powi(2)).sqrt(), 0.0);
+line!(Near { most }, |self, q, _v, _t| (1.0 - (self.most * q.x.cos()).powi(2)).sqrt(), 0.0);
 line!(Inverse { push }, |self, q, _v, _t| self.push / (2.0 - q.x), 0.0);
 line!(Square { push }, |self, q, _v, _t| self.push / (q.x - 2.0).powi(2), 0.0);
 
@@ -96,7 +96,7 @@ fn roots_that_hardly_vanish_keep_the_energy() {
     let mut samples = Samples::new(3);
     for _ in 0..60 {
         let tolerance = 10_f64.powf(samples.number(-11.0, -5.0));
-        let near = Near { gap: 10_f64.powf(samples.number(-12.0, -2.0)) };
+        let near = Near { most: 1.0 - 10_f64.powf(samples.number(-12.0, -2.0)) };
         let start = State::new([samples.number(0.1, 1.0)], [samples.number(1.0, 2.0)]);
         let mut motion = near.simulate(start).with_tolerance(tolerance);
         motion.advance_to(5.0).unwrap();

@@ -88,14 +88,16 @@ where
     /// Whether what some function depends on varies enough along a step.
     fn varies(&self, states: &[State<S::Scalar, N>; 4]) -> bool {
         let mut varies = false;
-        InEquations { system: self.system, control: self.control, roots: false }.along(
-            states,
-            |kind, values| {
-                let [range, unit] = range(kind, &values.each(|value| value.part(0)));
-                varies |= any(range - S::Scalar::from_f64(STILL) * unit);
-            },
-        );
+        self.hiding().along(states, |kind, values| {
+            let [range, unit] = range(kind, &values.each(|value| value.part(0)));
+            varies |= any(range - S::Scalar::from_f64(STILL) * unit);
+        });
         varies
+    }
+
+    /// Functions that can be narrow. The error of a step shows kinks of roots.
+    fn hiding(&self) -> InEquations<'_, S, C, K> {
+        InEquations { system: self.system, control: self.control, roots: false }
     }
 
     /// Looks where functions may be narrow.
@@ -104,8 +106,7 @@ where
         state_at: &P,
         look: &mut impl FnMut(S::Scalar) -> S::Scalar,
     ) -> S::Scalar {
-        let hiding = InEquations { system: self.system, control: self.control, roots: false };
-        Passage { hiding: &hiding, state_at, theta: num_traits::One::one() }.search(look)
+        Passage { hiding: &self.hiding(), state_at, theta: num_traits::One::one() }.search(look)
     }
 }
 

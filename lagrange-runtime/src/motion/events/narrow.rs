@@ -1,11 +1,10 @@
 //! Narrow functions in a guard that its polynomial on an interval has passed over.
 
-use core::cell::Cell;
 use core::marker::PhantomData;
 
 use super::Guard;
 use super::interval::{Interval, Watched};
-use crate::integrator::hidden::{Hiding, Passage};
+use crate::integrator::hidden::{Hiding, Passage, states_of};
 use crate::motion::roots::Polynomial;
 use crate::number::elements::array;
 use crate::number::real::{Ordered, Real, larger, smaller};
@@ -45,20 +44,14 @@ where
 {
     /// Whether the guard differs from its polynomial on an interval where functions in it may be narrow.
     pub fn strays(&mut self, interval: Interval<S::Scalar>, polynomial: &Polynomial<S::Scalar>) -> bool {
-        let nan = S::Scalar::from_f64(f64::NAN);
         let (system, guard) = (self.motion.system, self.guard);
-        let motion = Cell::new(Some(&mut *self.motion));
-        let state_at = |theta: S::Scalar| {
-            let nowhere = State { t: nan, q: [nan; N], v: [nan; N] };
-            let Some(own) = motion.take() else { return nowhere };
+        let state_at = states_of(|theta: S::Scalar| {
             let inside = smaller(larger(theta, num_traits::Zero::zero()), num_traits::One::one());
-            let state = own.peek(interval.time(inside));
-            motion.set(Some(own));
-            let State { t, q, v } = state.unwrap_or(nowhere);
+            let State { t, q, v } = self.motion.peek(interval.time(inside)).ok()?;
             // A search for an extremum may look beyond the interval, where the motion would go on.
             let beyond = (theta - inside) * (interval.to - interval.from);
-            State { t: t + beyond, q: array(|i| q[i] + beyond * v[i]), v }
-        };
+            Some(State { t: t + beyond, q: array(|i| q[i] + beyond * v[i]), v })
+        });
         let bound = S::Scalar::from_f64(APART) * polynomial.noise();
         let hiding = InGuard { system, guard, scalar: PhantomData };
         let theta = num_traits::One::one();
