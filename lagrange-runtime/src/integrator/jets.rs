@@ -23,7 +23,7 @@ mod singular;
 mod step;
 
 use super::landing::Determined;
-use crate::number::real::{Ordered, Real};
+use crate::number::real::Ordered;
 use crate::series::HIGHEST;
 use crate::system::control::Held;
 use crate::system::diagnose;
@@ -34,6 +34,7 @@ use crate::system::method::{Adaptive, Steps};
 use crate::system::smooth::Smooth;
 use crate::system::state::State;
 pub use memory::JetsMemory;
+use singular::Beyond;
 use step::step;
 
 /// Taylor series of the motion, order and step from the tolerance: the fastest and most accurate method for a
@@ -180,7 +181,7 @@ where
         S::Scalar: Ordered,
     {
         memory.prepare(limits);
-        let across = (t - memory.start.t, S::Scalar::from_f64(singular::ACROSS));
+        let across = (t - memory.start.t, Beyond::Better);
         singular::start(memory, system, constants, control, limits, across) == Ok(true)
             || step(memory, system, constants, control, limits, t, attempts).is_ok()
     }

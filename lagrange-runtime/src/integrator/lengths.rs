@@ -73,8 +73,13 @@ pub(crate) struct Lengths<R> {
 /// left of what the step started with.
 #[inline]
 pub(crate) fn enough<R: Real>(begun: R, tolerance: R) -> R {
-    let by_tolerance = (R::epsilon() / tolerance.max(R::epsilon())).sqrt().min(R::one());
-    (R::from_f64(0.5) * begun).min(by_tolerance.max(determined()))
+    (R::from_f64(0.5) * begun).min(wanted(tolerance))
+}
+
+/// The independence of constraints at which roundings of a state are within a tolerance.
+#[inline]
+pub(crate) fn wanted<R: Real>(tolerance: R) -> R {
+    (R::epsilon() / tolerance.max(R::epsilon())).sqrt().min(R::one()).max(determined())
 }
 
 impl<R: Ordered> Lengths<R> {
@@ -101,6 +106,12 @@ impl<R: Ordered> Lengths<R> {
             tried: 0,
             best: None,
         }
+    }
+
+    /// The same with another base, which is tried next.
+    pub(crate) fn based_on(mut self, base: R) -> Self {
+        (self.base, self.tried) = (base, 0);
+        self
     }
 
     /// The same, with the time to go as a further length. The error of a polynomial in time bounds no step,

@@ -10,6 +10,7 @@
 //! | [`singular`] | constraints that become dependent on the way; what is held altogether |
 //! | [`single_row`] | a single constraint whose gradient vanishes on the way |
 //! | [`passages`] | through configurations in which constraints become dependent, straight on |
+//! | [`slider_cranks`] | through such a configuration again and again, at every tolerance |
 //! | [`cell`] | such a passage at the finest tolerances |
 //! | [`far`] | small differences of large coordinates |
 //! | [`linkages`] | four-bar linkages, flat configurations |
@@ -37,5 +38,6 @@ mod redundancy;
 mod scalars;
 mod single_row;
 mod singular;
+mod slider_cranks;
 mod starts;
 mod units;

@@ -1,5 +1,6 @@
 //! A step that starts in a configuration in which constraints depend on each other, or close to one: the
-//! first of a motion, or one that has no end before that configuration where the state is determined.
+//! first of a motion, or one that has no end before that configuration where the state is determined as well
+//! as its start is, or as the tolerance wants.
 //!
 //! There the equations do not give the multipliers, and beside it they give them with few digits. But the
 //! motion is smooth, and a little later it is well determined. So the step is expanded about its **end**: a
@@ -27,16 +28,23 @@ const LENGTHS: usize = 64;
 /// the time in which accelerations change.
 const CORRECTIONS: usize = 24;
 
-/// The least factor by which a state beyond a configuration in which constraints depend on each other must be
-/// determined better than the start of a step that leads across.
-pub(super) const ACROSS: f64 = 2.0;
+/// The least factor by which a state is determined better than another one, if it is to be better.
+const BETTER: f64 = 2.0;
 
-/// The same for the first step of a motion: there it is enough that the state is determined well.
-pub(super) const FIRST: f64 = 0.0;
+/// How independent constraints have to be at the end of the step.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Beyond<R> {
+    /// So that they determine the state. That is enough for the first step of a motion.
+    Determined,
+    /// And clearly better than at its start.
+    Better,
+    /// And by more than this, while they are not at its start.
+    Wanted(R),
+}
 
-/// Takes a step about its end, where the constraints determine the state well, and better by this factor.
-/// False where they depend on each other beside the start as well, so that the start is as good as any other
-/// state.
+/// Takes a step about its end, where the constraints determine the state well. False where they depend on each
+/// other beside the start as well, so that the start is as good as any other state. A step that is not taken
+/// leaves the memory as it was.
 ///
 /// # Errors
 /// [`Cause::Undetermined`] where they are independent beside it, but no motion leads there with this
@@ -50,7 +58,7 @@ pub(super) fn start<S, const N: usize, const K: usize>(
     constants: &S::Constants,
     control: &Held<S::Scalar, K>,
     limits: &Limits<S::Scalar>,
-    (left, better): (S::Scalar, S::Scalar),
+    (left, beyond): (S::Scalar, Beyond<S::Scalar>),
 ) -> Result<bool, Cause>
 where
     S: Smooth<N, K>,
@@ -61,7 +69,11 @@ where
     let State { q, v, .. } = &kept.start;
     let Footing { independence: here, metric, .. } =
         system.land_at(constants, &mut kept.start.clone(), None)?;
-    let enough = larger(determined(), better * here.least);
+    let enough = match beyond {
+        Beyond::Determined => determined(),
+        Beyond::Better => larger(determined(), S::Scalar::from_f64(BETTER) * here.least),
+        Beyond::Wanted(wanted) => larger(determined(), wanted),
+    };
     let own = metric.extent(q) / metric.extent(v);
     // At rest coordinates do not change, and at the origin they have no size.
     let longest = if own.is_finite() && own.is_positive() { left.signum() * own } else { left };
@@ -87,7 +99,7 @@ where
     *memory = kept;
     if leads_out {
         let constraint = here.weakest;
-        return Err(memory.stay(Cause::Undetermined { constraint, name: S::NAMES.constraint(constraint) }));
+        return Err(Cause::Undetermined { constraint, name: S::NAMES.constraint(constraint) });
     }
     Ok(false)
 }
@@ -96,7 +108,8 @@ where
 ///
 /// Across the constraints the roundings of a state grow towards `from`, and what differs there says nothing
 /// about the motion: no more than half of all digits may. What differs along the constraints is an error of
-/// `beyond`, and is carried to it.
+/// `beyond`, and is carried to it until rounding leaves nothing to carry: a motion that passes many such
+/// configurations would add up what is left.
 #[allow(clippy::too_many_arguments)]
 fn shoot<S, const N: usize, const K: usize>(
     memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
@@ -113,13 +126,14 @@ where
     S::Scalar: Ordered,
 {
     let time = beyond.t - from.t;
-    let one: S::Scalar = num_traits::One::one();
+    let (one, metric): (S::Scalar, _) = (num_traits::One::one(), &footing.metric);
     // This check takes the end for the state before the step, because the series leads from there to `from`.
     let ahead = beyond;
     let check = Check { system, constants, inputs: &control.0, limits, from: &ahead };
     // The state nearest to `from` at which the constraints determine what is along them.
     let half = S::Scalar::from_f64(0.5);
     let near = one - smaller(determined::<S::Scalar>() / footing.independence.least, half);
+    let mut rest = S::Scalar::from_f64(f64::MAX);
     for _ in 0..CORRECTIONS {
         memory.start = beyond;
         memory.unit = -time;
@@ -138,7 +152,11 @@ where
         if !memory.last_terms(one).iter().all(is_small) || !lack.is_finite() {
             return false;
         }
-        if is_small(&lack) && (Check { from, ..check }).keeps_energy(&beyond, footing) {
+        let last = rest;
+        let carried = along(&lack);
+        rest = metric.extent(&carried.q) + time.abs() * metric.extent(&carried.v);
+        let has_converged = rest >= half * last;
+        if has_converged && is_small(&lack) && (Check { from, ..check }).keeps_energy(&beyond, footing) {
             memory.series.recentre(one, memory.orders);
             memory.turn();
             memory.is_as_expanded = false;
@@ -148,10 +166,9 @@ where
             (memory.next, memory.last) = (time.abs(), time.abs());
             return true;
         }
-        let lack = along(&lack);
         for i in 0..N {
-            beyond.q[i] += lack.q[i] + time * lack.v[i];
-            beyond.v[i] += lack.v[i];
+            beyond.q[i] += carried.q[i] + time * carried.v[i];
+            beyond.v[i] += carried.v[i];
         }
         if !beyond.is_finite() || system.project_at(constants, &mut beyond, None).is_err() {
             return false;

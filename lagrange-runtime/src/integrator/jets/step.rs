@@ -2,13 +2,14 @@
 
 use super::super::hidden::{InEquations, Passage};
 use super::super::landing::{Check, Determined, Landing};
-use super::super::lengths::{Lengths, Verdict};
+use super::super::lengths::{Lengths, Verdict, wanted};
 use super::super::step_size;
 use super::super::vanishing::near_roots;
 use super::expansion::{expand, too_small};
 use super::leap::leap;
 use super::probe::{self, Probe, faults_along};
-use super::{Jets, JetsMemory, singular};
+use super::singular::{self, Beyond};
+use super::{Jets, JetsMemory};
 use crate::number::elements::Each;
 use crate::number::real::{Ordered, Real, any, larger, smaller};
 use crate::system::attitude;
@@ -83,8 +84,11 @@ where
     }
     let natural = expand(memory, system, control, limits, left, attempts)?;
     if let Some(here) = here {
-        let first = (left, S::Scalar::from_f64(singular::FIRST));
-        if !here.is_determined() && singular::start(memory, system, constants, control, limits, first)? {
+        let first = (left, Beyond::Determined);
+        if !here.is_determined()
+            && singular::start(memory, system, constants, control, limits, first)
+                .map_err(|cause| memory.stay(cause))?
+        {
             memory.counts.accepted += 1;
             return Ok(());
         }
@@ -149,9 +153,10 @@ where
     let (Some(so_far), Some(here)) = (memory.determined, memory.independence) else { return Ok(()) };
     let unit = memory.unit.abs();
     let mut theta = measured;
-    if !here.are_far_apart()
-        && let Some(across) = beyond(memory, limits, theta)
-    {
+    // The length that leads across is looked for once: where the step begins or has ended beside such a
+    // configuration.
+    let mut is_beside = !here.are_far_apart();
+    if is_beside && let Some(across) = beyond(memory, limits, theta) {
         theta = across;
         memory.reach(theta);
     }
@@ -182,8 +187,16 @@ where
             landing.is_right = landing.is_right && on_the_way(&landing) && last_terms(&landing);
             landing
         });
+        let ends_beside = landed.as_ref().is_ok_and(|landing| !landing.footing.independence.are_far_apart());
         let cause = match lengths.judge(&check, theta, landed) {
             Verdict::Take(landing, determined) => {
+                let (there, wanted) = (landing.footing.independence.least, wanted(limits.relative));
+                if there < here.least && here.least < wanted {
+                    let across = (left, Beyond::Wanted(wanted));
+                    if singular::start(memory, system, constants, control, limits, across) == Ok(true) {
+                        return Ok(());
+                    }
+                }
                 memory.determined = Some(determined);
                 memory.stand(&landing.footing);
                 memory.correct(landing.end);
@@ -191,10 +204,17 @@ where
             }
             Verdict::Try { length, cause } => {
                 theta = length;
+                if ends_beside
+                    && !core::mem::replace(&mut is_beside, true)
+                    && let Some(across) = beyond(memory, limits, measured)
+                {
+                    lengths = lengths.based_on(across);
+                    theta = across;
+                }
                 cause
             }
             Verdict::GiveUp(cause) => {
-                let across = (left, S::Scalar::from_f64(singular::ACROSS));
+                let across = (left, Beyond::Better);
                 return match singular::start(memory, system, constants, control, limits, across) {
                     Ok(true) => Ok(()),
                     _ => Err(memory.stay(cause)),
