@@ -51,6 +51,11 @@ fn every_mistake_of_urdf_has_its_place() {
             "error: r.urdf:12:11: <axis> of <joint name=\"turn\">: `xzy` is no attribute of <axis>, or did you mean `xyz`?",
         ),
         (
+            "<robot name=\"r\">",
+            "<robot name=\"r\" xmlns:xacro=\"http://wiki.ros.org/xacro\"><xacro:include filename=\"arm.xacro\"/>",
+            "this is a file for xacro; expand it first: `xacro robot.xacro > robot.urdf`",
+        ),
+        (
             "<axis xyz",
             "<dynamics dampng=\"3\"/><axis xyz",
             "<dynamics> of <joint name=\"turn\">: `dampng` is no attribute of <dynamics>, or did you mean `damping`?",
@@ -241,6 +246,19 @@ fn every_mistake_of_mjcf_has_its_place() {
         (
             body("<joint damping=\"-1\"/>"),
             "error: m.xml:3:8: <joint> of <body name=\"b\">: `damping` is negative",
+        ),
+        (
+            body("<joint/>") + "<option><flag actuation=\"disable\"/></option>",
+            "`actuation` is left out: actuators are inputs of the description",
+        ),
+        (
+            body("<joint name=\"j\" actuatorfrcrange=\"-1 1\"/>")
+                + "<actuator><motor joint=\"j\" ctrlrange=\"-1 1\"/></actuator>",
+            "left out: ctrlrange, actuatorfrcrange: inputs have no limits; clamp what you give",
+        ),
+        (
+            body("<joint name=\"j\"/>") + "<actuator><motor joint=\"j\" armature=\"0.1\"/></actuator>",
+            "`armature` of an actuator is left out; give it to the joint",
         ),
         (body("<joint pso=\"0 0 1\"/>"), "`pso` is no attribute of <joint>, or did you mean `pos`?"),
         (

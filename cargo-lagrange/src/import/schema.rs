@@ -51,6 +51,10 @@ pub fn check(reader: &mut Reader<'_>, node: Node<'_, '_>, element: &Element) {
             unknown(reader, node, Some(name), what, links::near(name, element.attributes.iter().copied()));
         }
     }
+    if let Some(macro_call) = node.children().find(|child| is_xacro(*child)) {
+        let text = "this is a file for xacro; expand it first: `xacro robot.xacro > robot.urdf`";
+        reader.problem(macro_call, text);
+    }
     let mut seen = BTreeSet::new();
     for child in node.children().filter(|child| child.is_element() && child.tag_name().namespace().is_none())
     {
@@ -66,6 +70,12 @@ pub fn check(reader: &mut Reader<'_>, node: Node<'_, '_>, element: &Element) {
             unknown(reader, child, None, what, links::near(name, element.children()));
         }
     }
+}
+
+/// Whether an element is a macro of ROS, which makes URDF of it.
+fn is_xacro(node: Node<'_, '_>) -> bool {
+    let prefix = node.tag_name().namespace().and_then(|namespace| node.lookup_prefix(namespace));
+    node.is_element() && prefix == Some("xacro")
 }
 
 fn unknown(reader: &mut Reader<'_>, node: Node<'_, '_>, attribute: Option<&str>, what: String, near: String) {

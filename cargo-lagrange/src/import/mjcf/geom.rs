@@ -78,12 +78,9 @@ fn placed<'a>(
                 reader.problem_of(node, "fromto", "the two points are one; write two that differ");
                 return None;
             }
-            size.truncate(last);
-            // A single size serves both directions across.
-            if size.len() == 1 && last == 2 {
-                size.push(size[0]);
-            }
-            size.push(0.5 * length);
+            // The first size serves both directions across, even where there are more.
+            let across = size.first().copied();
+            size = across.into_iter().cycle().take(last).chain([0.5 * length]).collect();
             let turn = Rotation::of_matrix(lifted(scaled(1.0 / length, along)), options.tolerance);
             Pose { shift: scaled(0.5, add([a, b, c], [d, e, f])), turn }
         }

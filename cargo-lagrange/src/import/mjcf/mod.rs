@@ -2,6 +2,7 @@
 
 mod attributes;
 mod bodies;
+mod flags;
 mod geom;
 
 use roxmltree::Node;
@@ -11,6 +12,7 @@ use super::links;
 use super::robot::{Drive, Kind, Mimic, Robot};
 use super::xml::{Reader, children};
 use attributes::{Attributes, Element};
+use flags::Off;
 
 /// Reads a `<mujoco>`; problems are in the reader.
 pub fn read<'a>(reader: &mut Reader<'a>, root: Node<'a, 'a>, options: &Options) -> Robot {
@@ -19,11 +21,6 @@ pub fn read<'a>(reader: &mut Reader<'a>, root: Node<'a, 'a>, options: &Options) 
     let mut gravity = [0.0, 0.0, -9.81];
     for option in children(root, "option") {
         gravity = reader.vector(option, "gravity").unwrap_or(gravity);
-        for flag in children(option, "flag") {
-            if flag.attribute("gravity") == Some("disable") {
-                gravity = [0.0; 3];
-            }
-        }
         for medium in ["wind", "density", "viscosity"] {
             if reader
                 .numbers(option, medium)
@@ -33,6 +30,10 @@ pub fn read<'a>(reader: &mut Reader<'a>, root: Node<'a, 'a>, options: &Options) 
             }
         }
     }
+    let off = Off::read(reader, root);
+    if off.gravity {
+        gravity = [0.0; 3];
+    }
     let mut robot = Robot {
         name: root.attribute("model").map(str::to_owned),
         links: Vec::new(),
@@ -41,10 +42,13 @@ pub fn read<'a>(reader: &mut Reader<'a>, root: Node<'a, 'a>, options: &Options) 
     };
     let mut bodies = bodies::Bodies::new(reader, &attributes, options, &mut robot);
     bodies.world(root);
+    off.apply(&mut robot);
     total_mass(reader, root, &mut robot);
     let mut mjcf = Mjcf { reader, attributes: &attributes, robot: &mut robot };
     mjcf.actuators(root, options);
-    mjcf.equalities(root);
+    if !off.equality {
+        mjcf.equalities(root);
+    }
     ignored(reader, root);
     robot
 }
@@ -72,6 +76,13 @@ impl<'a> Mjcf<'_, 'a> {
                 let text =
                     format!("<{kind}> is taken as a motor: its input is a force, and its gains are left out");
                 self.reader.warning(node, text);
+            }
+            for attribute in ["damping", "armature"] {
+                let given = self.attributes.numbers(self.reader, node, attribute).unwrap_or_default();
+                if given.iter().any(|number| *number != 0.0) {
+                    let text = format!("`{attribute}` of an actuator is left out; give it to the joint");
+                    self.reader.warning(node, text);
+                }
             }
             let drive = Drive {
                 name: node.attribute("name").map(str::to_owned),
@@ -222,6 +233,15 @@ fn ignored(reader: &mut Reader<'_>, root: Node<'_, '_>) {
         if root.descendants().any(|node| node.has_tag_name(tag)) {
             found.push(format!("<{tag}>"));
         }
+    }
+    // In defaults as well.
+    let has = |attribute: &&str| root.descendants().any(|node| node.has_attribute(*attribute));
+    let limits: Vec<&str> =
+        ["ctrlrange", "forcerange", "actuatorfrcrange", "actrange"].into_iter().filter(has).collect();
+    if !limits.is_empty() {
+        reader
+            .sink
+            .note(format!("left out: {}: inputs have no limits; clamp what you give", limits.join(", ")));
     }
     if !found.is_empty() {
         reader.sink.note(format!("left out: {}", found.join(", ")));

@@ -294,6 +294,8 @@ static DRIVE: Element = Element::leaf(
         "actrange",
         "lengthrange",
         "gear",
+        "damping",
+        "armature",
         "cranklength",
         "joint",
         "jointinparent",
