@@ -180,7 +180,7 @@ impl fmt::Display for Cause {
                 "a step, sampling interval or step limit is not finite, zero or a negative limit: pass a finite length above zero",
             ),
             Self::InvalidTolerance => {
-                out.write_str("a tolerance is negative or not finite: pass something like 1e-10")
+                out.write_str("a tolerance is negative, not finite, or relative and above one: pass something like 1e-10")
             }
         }
     }
