@@ -42,9 +42,9 @@ pub(super) enum Beyond<R> {
     Wanted(R),
 }
 
-/// Takes a step about its end, where the constraints determine the state well. False where they depend on each
-/// other beside the start as well, so that the start is as good as any other state. A step that is not taken
-/// leaves the memory as it was.
+/// Takes a step about its end, where the constraints determine the state well. False where they depend on
+/// each other beside the start as well, so that the start is as good as any other state. A step that is not
+/// taken leaves the memory as it was.
 ///
 /// # Errors
 /// [`Cause::Undetermined`] where they are independent beside it, but no motion leads there with this
