@@ -312,7 +312,8 @@ messages! {
     integer_overflow() = "this integer is out of range; use smaller constants";
     division_by_zero() = "this divides by zero; the equation would have no value";
     clamp_reversed() = "`clamp` panics where its first bound is larger than its second; swap them";
-    remainder() = "`%` jumps, so it has no derivative; use a trigonometric function for what repeats itself";
+    remainder() = "`%` jumps, so it has no derivative; use a trigonometric function for what repeats itself, or for \
+        parameters a field with the remainder";
     not_smooth(name, alternative) = "`{name}` has no derivative everywhere; {alternative}";
     bad_power(most) = "`powi` needs a constant integer between -{most} and {most}; use `powf` for other powers";
     branch_on_variable(on, what) = "the branch depends on {on}: {what} is one expression, or several joined by `if` with \

@@ -1,5 +1,13 @@
 //! The texts of messages about the physics: what is wrong, then how to mend it.
 
+/// A dissipation function that is linear in the velocities.
+pub fn linear_dissipation(function: &str) -> String {
+    format!(
+        "the dissipation function `{function}` is linear in the velocities, so its force −∂D/∂v does not depend on them; that of \
+         a damper with the force −c v is ½ c v², and a force is a `#[force]` function"
+    )
+}
+
 /// A kinetic energy that is not a polynomial of at most degree two in the velocities.
 pub fn kinetic_not_quadratic(function: &str) -> String {
     format!(

@@ -126,6 +126,10 @@ impl Translator<'_> {
         let kind = match pattern {
             Pat::Wild(_) => PatternKind::Wild,
             Pat::Rest(_) => PatternKind::Rest,
+            // What is written through the name would not reach the value that it is a part of.
+            Pat::Ident(ident) if ident.by_ref.is_some() && ident.mutability.is_some() => {
+                PatternKind::Unsupported(catalogue::mutable_reference(), names(pattern))
+            }
             Pat::Ident(ident) if ident.subpat.is_none() => PatternKind::Name(self.variable(&ident.ident)),
             Pat::Paren(paren) => return self.pattern(&paren.pat),
             Pat::Reference(reference) => return self.pattern(&reference.pat),

@@ -18,6 +18,7 @@ use super::slopes::{Slope, combine, reach};
 use super::step_size;
 use super::tableau::dop853::{A, B, B3, C, E5, STAGES};
 use crate::linear::Independence;
+use crate::number::compensated::add;
 use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::system::error::{Cause, MotionError};
 use crate::system::limits::Limits;
@@ -30,6 +31,10 @@ mod unavoidable;
 
 use tolerance::{Tried, relative};
 use unavoidable::Attempts;
+
+/// The longest step, in parts of the time that a motion has been under way and is asked for. Where no error
+/// bounds a step its end would be so far away that roundings there hide what lies on the way.
+const BEYOND: f64 = 32.0;
 
 /// A state and its residue of rounding: the exact sum is `state + residue`.
 #[derive(Clone, Copy, Debug)]
@@ -58,6 +63,8 @@ pub struct Dop853Memory<R: Real, const N: usize> {
     pub(crate) slope: Option<Slope<R, N>>,
     /// Length of the next step; zero if not known.
     length: R,
+    /// The time since which nothing has changed the motion from outside.
+    begun: R,
     /// Whether the last step met the tolerance only without its [`unavoidable`] errors.
     is_noisy: bool,
     /// Polynomial through the step, once a sample has asked for it.
@@ -67,14 +74,6 @@ pub struct Dop853Memory<R: Real, const N: usize> {
     pub(crate) ground: Option<Ground<R>>,
     /// The target of a step that series have taken.
     pub(crate) passage: Option<R>,
-}
-
-/// Compensated x + d (Kahan).
-#[inline(always)]
-pub(crate) fn add<R: Real>(x: R, residue: R, d: R) -> (R, R) {
-    let d = d + residue;
-    let sum = x + d;
-    (sum, d - (sum - x))
 }
 
 impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
@@ -87,6 +86,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
             slopes: [Slope { q: zero, v: zero }; STAGES],
             slope: None,
             length: R::zero(),
+            begun: state.t,
             is_noisy: false,
             dense: None,
             counts: Steps::default(),
@@ -126,8 +126,8 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
 
     /// Records a step from the end of the last one to `end` that series have taken towards a `target`.
     pub(crate) fn pass(&mut self, end: State<R, N>, target: R) {
-        let Self { end: start, length, is_noisy, counts, .. } = *self;
-        *self = Self { start, length, is_noisy, counts, passage: Some(target), ..Self::new(end) };
+        let Self { end: start, length, begun, is_noisy, counts, .. } = *self;
+        *self = Self { start, length, begun, is_noisy, counts, passage: Some(target), ..Self::new(end) };
         self.counts.accepted += 1;
     }
 
@@ -196,7 +196,8 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         }
         // Two steps of half the rest are better than a full one and a crumb.
         let half = R::from_f64(0.5) * left.abs();
-        let natural = limits.clip(self.length);
+        let known = left.abs() + (t - self.begun).abs();
+        let natural = smaller(limits.clip(self.length), R::from_f64(BEYOND) * known);
         let mut length = natural;
         if land && length < left.abs() && length > half {
             length = half;

@@ -10,7 +10,7 @@
 mod backward;
 
 use super::FixedStep;
-use super::dop853::add;
+use crate::number::compensated::add;
 use crate::number::elements::Each;
 use crate::number::real::Real;
 use crate::system::error::Cause;

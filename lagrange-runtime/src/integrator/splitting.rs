@@ -12,8 +12,8 @@
 use num_traits::Zero;
 
 use super::FixedStep;
-use super::dop853::add;
 use super::tableau::splitting as tableau;
+use crate::number::compensated::add;
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::proved::Separable;

@@ -136,7 +136,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         if !t.is_finite() {
             return Err(Cause::InvalidTime);
         }
-        if !(zero..=num_traits::One::one()).contains(&self.tolerance) {
+        if !(self.tolerance.is_finite() && self.tolerance >= zero) {
             return Err(Cause::InvalidTolerance);
         }
         if !self.state.is_finite() {

@@ -292,8 +292,9 @@ where
     }
 
     /// Removes coordinates that have no digits, like a velocity that has been stopped: those of which a
-    /// projection has made a half or more and that no active row of the regime would notice, and those of a
-    /// contact that is closed, or rests, of whose gap nothing is left but roundings of what it was.
+    /// projection has made a half or more, and those of a contact that is closed, or rests, of whose gap
+    /// nothing is left but roundings of what it was; where they are roundings of what the gap of each active
+    /// row was.
     pub(super) fn place(
         &self,
         before: &[S::Scalar; N],
@@ -313,9 +314,11 @@ where
                 gradient.map_or(S::Scalar::zero(), |gradient| entry(gradient, i))
             };
             let couples = |row: &usize| slope(*row) != S::Scalar::zero();
+            // By its own size, not by what the row would notice: a gap hardly depends on a coordinate along it.
             let is_seen = |row: usize| {
                 let size = most(entry(&scales.gaps, row), entry(sizes, row));
-                above((slope(row) * *q).abs(), ulps * size)
+                let all = q.abs() * self.extent_of(row, &self.units);
+                couples(&row) && above(all, ulps * size * entry(&self.units, i))
             };
             let is_nothing = |row: usize| {
                 S::ROWS.get(row) == Some(&Row::Unilateral)

@@ -217,7 +217,7 @@ pub enum Cause {
     InvalidTime,
     /// A step, a sampling interval or a step limit is zero, infinite or not a number, or a limit is negative.
     InvalidStep,
-    /// A tolerance is negative, infinite or not a number, or the relative one is above one.
+    /// A tolerance is negative, infinite or not a number.
     InvalidTolerance,
 }
 

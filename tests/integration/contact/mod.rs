@@ -49,6 +49,7 @@ mod steps_of_floors;
 mod stribeck;
 mod tables;
 mod three_points;
+mod tilted;
 mod wedges;
 mod woodpecker;
 mod zero_loads;

@@ -2,4 +2,5 @@
 
 mod narrow;
 mod orbit;
+mod own_bounces;
 mod swings;

@@ -2,13 +2,13 @@
 
 use num_traits::{One, Zero};
 
-use super::super::dop853::add;
 use super::super::landing::{Determined, across};
 use super::super::step_size;
 use super::fall::{bounded, reach, steepest};
 use super::{DECAY, GROWTH, ORDERS_PER_DIGIT, SAFETY, last_term, orders};
 use crate::constraints::Footing;
 use crate::linear::Independence;
+use crate::number::compensated::add;
 use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::series::HIGHEST;

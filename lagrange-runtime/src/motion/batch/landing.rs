@@ -4,13 +4,13 @@
 use core::iter::once;
 
 use super::Batch;
-use crate::integrator::dop853::add;
 use crate::integrator::hidden::InEquations;
 use crate::integrator::landing::NOISE;
 use crate::integrator::landing::energy::{blurred, energy};
 use crate::integrator::lengths::{PARTS, enough};
 use crate::integrator::vanishing::near_roots;
 use crate::linear::determined;
+use crate::number::compensated::add;
 use crate::number::elements::{Each, array};
 use crate::number::real::{Real, any};
 use crate::system::System;

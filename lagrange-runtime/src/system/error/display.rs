@@ -67,8 +67,8 @@ impl fmt::Display for Cause {
             ),
             Self::InvalidContact { constraint, name } => write!(
                 out,
-                "a coefficient of contact {constraint} is invalid: restitution must lie between 0 and 1, friction must not be negative, \
-                 and the static value must not be below the kinetic one",
+                "a coefficient of contact or friction {constraint} is invalid: restitution must lie between 0 and 1, friction must be \
+                 finite and not negative, and the static value must not be below the kinetic one",
                 constraint = Part(*constraint, *name)
             ),
             Self::NoReaction { constraint, name } => write!(
@@ -180,7 +180,7 @@ impl fmt::Display for Cause {
                 "a step, sampling interval or step limit is not finite, zero or a negative limit: pass a finite length above zero",
             ),
             Self::InvalidTolerance => {
-                out.write_str("a tolerance is negative, not finite, or relative and above one: pass something like 1e-10")
+                out.write_str("a tolerance is negative or not finite: pass something like 1e-10")
             }
         }
     }
