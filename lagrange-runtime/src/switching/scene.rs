@@ -314,7 +314,7 @@ where
                 gradient.map_or(S::Scalar::zero(), |gradient| entry(gradient, i))
             };
             let couples = |row: &usize| slope(*row) != S::Scalar::zero();
-            // By its own size, not by what the row would notice: a gap hardly depends on a coordinate along it.
+            // By its own size, not by what the row would notice: a gap hardly depends on what lies along it.
             let is_seen = |row: usize| {
                 let size = most(entry(&scales.gaps, row), entry(sizes, row));
                 let all = q.abs() * self.extent_of(row, &self.units);
