@@ -28,15 +28,15 @@ pub(super) fn contributions(
             diagnostics.at(origin, physics::kinetic_not_quadratic(&term.name));
         }
     }
+    if allows("no_effect") {
+        return false;
+    }
     for term in &model.dissipation {
         let (graph, value) = (&model.graph, term.value);
         if graph.dependence(value).meets(Dependence::VELOCITIES) && beyond_degree(graph, value, 1).is_empty()
         {
             diagnostics.at(term.origin, physics::linear_dissipation(&term.name));
         }
-    }
-    if allows("no_effect") {
-        return false;
     }
     let graph = &model.graph;
     let eliminated = !model.eliminated.is_empty();
