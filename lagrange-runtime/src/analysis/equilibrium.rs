@@ -8,9 +8,11 @@
 //! Where g has a potential, [`descent`] goes down in it, and Newton's method gives the last digits; where
 //! not, Newton's method does it all ([`newton`]). [`stability`] says what was found.
 
+mod branch;
 mod confirmed;
 mod curvature;
 mod descent;
+mod hills;
 mod newton;
 mod resolution;
 mod resting;
@@ -196,8 +198,9 @@ where
     S: Tangent<N, K, C>,
     S::Scalar: Ordered,
 {
-    let (statics, mut rest) = begun(system, guess, u)?;
+    let (statics, rest) = begun(system, guess, u)?;
     let mut search = Search::new(&rest);
+    let mut rest = statics.turned_back(rest, &mut search);
     if statics.is_stationary(&rest, &search) {
         let rest = statics.polished(rest, &mut search);
         return statics.settled(rest, &search, FoundBy::Guess);
@@ -240,6 +243,7 @@ where
 {
     let (statics, rest) = begun(system, guess, u)?;
     let mut search = Search::new(&rest);
+    let rest = statics.turned_back(rest, &mut search);
     let rest = statics.balance(rest, &mut search);
     statics.found(rest, &search, FoundBy::Newton)
 }
@@ -276,7 +280,7 @@ where
     fn is_stationary(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> bool {
         let share = S::Scalar::from_f64(16.0 * N as f64) * S::Scalar::epsilon() * rest.stiffness.size;
         let most = rest.forces.iter().fold(S::Scalar::zero(), |most, x| larger(x.abs(), most));
-        rest.length * most <= share * self.reach(rest, search)
+        rest.length * most <= share * self.reach(rest, search) || self.starts_balanced(rest)
     }
 
     /// A stationary position to its last digits, unless the further steps lead elsewhere.

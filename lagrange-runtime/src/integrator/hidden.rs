@@ -18,7 +18,7 @@ use crate::system::state::State;
 
 /// The number of places of a step at which arguments are looked at, and a series is compared with the
 /// equations. The last one is the end of the step.
-pub(super) const PLACES: usize = 7;
+pub(crate) const PLACES: usize = 7;
 
 /// The most steps of the search for a place. Every third one halves the bracket of its zero.
 const STEPS: usize = 159;
@@ -38,10 +38,10 @@ pub(super) const SMOOTH: f64 = 0.5;
 const BETWEEN: [f64; 3] = [1.382, 3.618, 5.236];
 
 /// The places at which every argument is looked at: the start, those of the step, and the first one between.
-pub(super) const SAMPLES: usize = PLACES + 2;
+pub(crate) const SAMPLES: usize = PLACES + 2;
 
 /// The same, in times between places.
-pub(super) fn sample(index: usize) -> f64 {
+pub(crate) fn sample(index: usize) -> f64 {
     if index > PLACES { BETWEEN[0] } else { index as f64 }
 }
 
@@ -138,7 +138,7 @@ impl<H, R: Real, P> Passage<'_, H, R, P> {
     }
 
     /// The same with the states at these places.
-    pub(super) fn look<const N: usize>(
+    pub(crate) fn look<const N: usize>(
         &self,
         states: &[State<R, N>; SAMPLES],
         mut look: impl FnMut(R) -> R,
@@ -206,7 +206,7 @@ impl<V> Argument<'_, V> {
 }
 
 /// The range of what a function depends on, and the least change of it that makes a difference.
-pub(super) fn range<R: Real, const LENGTH: usize>(kind: Hidden, values: &[R; LENGTH]) -> [R; 2] {
+pub(crate) fn range<R: Real, const LENGTH: usize>(kind: Hidden, values: &[R; LENGTH]) -> [R; 2] {
     let first = values[0];
     let (mut low, mut high, mut least) = (first, first, first.abs());
     for &value in values {

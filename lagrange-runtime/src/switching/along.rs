@@ -16,7 +16,7 @@ use super::course::Course;
 use super::guards::{Guard, Guards, Parts, is_clear};
 use super::reactions::Borne;
 use super::scene::above;
-use super::{Functions, Row, Switching};
+use super::{Along, Functions, Row, Switching};
 use crate::motion::roots::{Before, Fall, Kind, Side, Zero, clear, falls, reach, stays_above};
 use crate::number::elements::Each;
 use crate::number::real::{Ordered, Real, larger, smaller};
@@ -148,7 +148,7 @@ where
             let mut whole = self.curve(guard, 0, course, &ends.start);
             let known = match &whole {
                 Some(whole) if !self.is_of_reactions(guard) || borne.is_known => {
-                    self.known(guard, whole, course, &borne, before)
+                    self.known(guard, whole, course, (&ends.start, &borne), before)
                 }
                 _ => Known::Nowhere,
             };
@@ -242,7 +242,7 @@ where
         guard: Guard,
         whole: &Taylor<S::Scalar>,
         course: &Course<'_, S::Scalar, N>,
-        borne: &Borne<S::Scalar, N, C>,
+        (start, borne): (&Parts<S::Scalar, C, W>, &Borne<S::Scalar, N, C>),
         mut until: S::Scalar,
     ) -> Known<S::Scalar, N> {
         let shortest = S::Scalar::from_f64(0.5).powi(HALVINGS);
@@ -252,15 +252,20 @@ where
             let lacks = (curve.end() - end.value.value).abs();
             let bound = course.allowed() * curve.extent() + end.value.error;
             // A reaction has no value but that of its series, which converges as the motion does. At rest
-            // there is no motion to make the step short enough for it.
+            // there is no motion to make the step short enough for it, and the limit of a friction has a
+            // series that the motion does not see.
             if self.is_of_reactions(guard) {
                 let last = course.last_of_reactions(&curve);
                 let allowed = course.left * curve.extent();
-                if !course.rests() || last <= allowed || !last.is_finite() || until < shortest {
+                let is_short = !last.is_finite() || until < shortest;
+                let has_limit = is_short || self.has_limit_on(guard, start, course, &end);
+                if is_short || has_limit && (!course.rests() || last <= allowed) {
                     return Known::Series(end);
                 }
                 let order = S::Scalar::from_f64(course.order() as f64);
-                until *= S::Scalar::from_f64(NEARER) * ((allowed / last).ln() / order).exp();
+                let reach =
+                    if has_limit { ((allowed / last).ln() / order).exp() } else { S::Scalar::from_f64(0.5) };
+                until *= S::Scalar::from_f64(NEARER) * reach;
                 continue;
             }
             // Without a bound, as beside a pole, nothing agrees.
@@ -278,6 +283,29 @@ where
             let reach = reach(&curve, course.order(), course.left);
             until *= if reach < num_traits::One::one() { larger(reach * nearer, further) } else { further };
         }
+    }
+
+    /// Whether the limit of a friction that sticks is that of its series at the end of a part of the step.
+    fn has_limit_on(
+        &self,
+        guard: Guard,
+        start: &Parts<S::Scalar, C, W>,
+        course: &Course<'_, S::Scalar, N>,
+        end: &End<S::Scalar, N>,
+    ) -> bool {
+        let Guard::Row(row) = guard else { return true };
+        let sides = [S::ALONG.fixed[row], S::BACKWARD[row]];
+        if !matches!(S::ROWS[row], Row::Friction { .. }) || sides == [Along::Constant; 2] {
+            return true;
+        }
+        let there = self.only(guard).parts(|x| x, end.state.t, [&end.state.q, &end.state.v]);
+        let values = |parts: &Parts<S::Scalar, C, W>| [parts.functions.fixed[row], parts.backward[row]];
+        let known = sides.into_iter().zip(values(start).into_iter().zip(values(&there)));
+        known.into_iter().all(|(along, (start, there))| {
+            let Along::Series(index) = along else { return true };
+            let gain = course.gain_of_function_at(index, S::FOLLOWED, end.part);
+            (start + gain - there).abs() <= course.allowed() * (start.abs() + gain.abs() + there.abs())
+        })
     }
 
     /// A guard at the end of a part of the step.

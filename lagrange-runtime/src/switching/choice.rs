@@ -203,6 +203,11 @@ where
         avoid: Option<usize>,
         decided: Option<usize>,
     ) -> [Options; C] {
+        // Where a slip ends, others may end with it, of the same two bodies. What comes to rest sticks if it
+        // can.
+        let slip_ends = avoid.is_some_and(|row| {
+            matches!(S::ROWS.get(row), Some(Row::Friction { .. })) && present.active.get(row) == Some(&false)
+        });
         array(|row| {
             let kind = S::ROWS[row];
             let options = match (kind, self.status[row]) {
@@ -231,6 +236,11 @@ where
                 // A slip in two directions that begins has no direction of its own, so friction at rest
                 // holds if it can.
                 Row::Friction { pair: Some(_), .. } if avoid != Some(row) => Part::On,
+                Row::Friction { pair: None, .. }
+                    if slip_ends && avoid != Some(row) && self.status[row] == Status::Rests =>
+                {
+                    Part::On
+                }
                 _ => Part::of(row, kind, present),
             };
             options.with(part, avoid != Some(row))

@@ -110,6 +110,13 @@ impl<'a, R: Ordered, const N: usize> Course<'a, R, N> {
         rows.rev().fold(R::zero(), |sum, &term| R::mul_add(sum, theta, term)).part(0)
     }
 
+    /// The gain of one of `stride` functions after a part of the step.
+    pub(super) fn gain_of_function_at(&self, index: usize, stride: usize, place: R) -> R {
+        let theta = place * self.terms.length;
+        let rows = self.series(self.terms.functions, index, stride).into_iter().flatten();
+        theta * rows.rev().fold(R::zero(), |sum, &term| R::mul_add(sum, theta, term)).part(0)
+    }
+
     /// The terms of one of `stride` series that lie beside each other, with those of others between them;
     /// `None` where the step has no series.
     #[inline]

@@ -48,16 +48,11 @@ where
         guards.cross(&memory.flips);
         guards.slips_begin(&memory.slips_begin);
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
-        let narrow = if S::NARROW {
-            let inner = &mut memory.inner;
-            let (control, limits) = (self.control, self.limits);
-            guards.fallen_inside(|part| M::within(inner, in_regime, constants, control, limits, part).ok())
-        } else {
-            None
-        };
+        let (control, limits) = (self.control, self.limits);
+        let narrow = guards.fallen_inside::<M>(&mut memory.inner, constants, control, limits);
         let (mut fall, mut known, mut is_shared) = (None, one, false);
         if let Some(terms) = M::terms(&memory.inner) {
-            let course = Course::new(terms, self.limits.relative, S::FOLLOWED);
+            let course = Course::new(terms, limits.relative, S::FOLLOWED);
             let found = guards.first_along(&course, &end, memory.fired, attempts)?;
             let has_none = narrow.is_none() && found.first.is_none() && found.until == one;
             if has_none && guards.all().next().is_none() {
@@ -70,7 +65,6 @@ where
             });
         }
         let inner = &mut memory.inner;
-        let (control, limits) = (self.control, self.limits);
         let mut at = |part: S::Scalar| {
             if part == zero {
                 return Some(start);

@@ -210,7 +210,7 @@ where
     }
 
     /// The guards at a state whose numbers are sums of summands of these sizes.
-    fn guards_at(
+    pub(super) fn guards_at(
         &self,
         state: &State<S::Scalar, N>,
         sizes: &State<S::Scalar, N>,

@@ -37,6 +37,7 @@ mod margin;
 mod memory;
 mod narrow;
 mod nearest;
+mod overloads;
 mod pace;
 mod pivoting;
 mod place;

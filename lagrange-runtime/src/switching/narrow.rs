@@ -6,17 +6,28 @@
 //! polynomial, ends the piece on the way. The next series starts nearer, and knows more.
 
 use super::Switching;
+use super::course::Course;
 use super::guards::{Guard, Guards};
 use crate::integrator::hidden::{Hiding, Passage, states_of};
 use crate::number::real::{Ordered, smaller};
+use crate::system::System;
+use crate::system::control::Held;
 use crate::system::hidden::Hidden;
+use crate::system::limits::Limits;
+use crate::system::method::Adaptive;
 use crate::system::state::State;
 
 /// The functions in the guards of a regime.
-struct InGuards<'a, S: Switching<N, K, C, W>, const N: usize, const K: usize, const C: usize, const W: usize>
-{
-    in_regime: &'a S::InRegime,
-    inputs: &'a [S::Scalar; K],
+pub(super) struct InGuards<
+    'a,
+    S: Switching<N, K, C, W>,
+    const N: usize,
+    const K: usize,
+    const C: usize,
+    const W: usize,
+> {
+    pub(super) in_regime: &'a S::InRegime,
+    pub(super) inputs: &'a [S::Scalar; K],
 }
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Hiding<S::Scalar, N>
@@ -38,9 +49,43 @@ where
     S: Switching<N, K, C, W>,
     S::Scalar: Ordered,
 {
-    /// The first part of the step at which a narrow function has taken a guard below zero. Guards of
-    /// reactions are left out: others may bear what one does not. `at` gives the state after a part.
-    pub(super) fn fallen_inside(
+    /// The first part of the step at which a narrow function has taken a guard below zero.
+    pub(super) fn fallen_inside<M>(
+        &self,
+        inner: &mut M::Memory,
+        constants: &<S::InRegime as System<N, K>>::Constants,
+        control: &Held<S::Scalar, K>,
+        limits: &Limits<S::Scalar>,
+    ) -> Option<(S::Scalar, Guard)>
+    where
+        M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
+    {
+        let own = if S::NARROW {
+            let at = |part| M::within(inner, self.in_regime, constants, control, limits, part).ok();
+            self.crossed_inside(at)
+        } else {
+            None
+        };
+        if !self.can_be_overloaded() {
+            return own;
+        }
+        let relative = limits.relative;
+        let overloaded = match M::terms(inner) {
+            Some(terms) => {
+                let course = Course::new(terms, relative, S::FOLLOWED);
+                self.overloaded_inside(Some(&course), relative, |part| course.at(self.start, part)[0])
+            }
+            None => {
+                let at = |part| M::within(inner, self.in_regime, constants, control, limits, part).ok();
+                self.overloaded_inside(None, relative, states_of(at))
+            }
+        };
+        let falls = own.into_iter().chain(overloaded);
+        falls.reduce(|one, other| if other.0 < one.0 { other } else { one })
+    }
+
+    /// The same for guards that are not made of reactions. `at` gives the state after a part.
+    fn crossed_inside(
         &self,
         at: impl FnMut(S::Scalar) -> Option<State<S::Scalar, N>>,
     ) -> Option<(S::Scalar, Guard)> {

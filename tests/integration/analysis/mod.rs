@@ -3,6 +3,7 @@
 mod classical;
 mod constrained;
 mod derivatives;
+mod downhill;
 mod equilibria;
 mod far;
 mod flat;

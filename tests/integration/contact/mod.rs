@@ -36,6 +36,7 @@ mod normals;
 mod onsets;
 mod overloads;
 mod piles;
+mod pulses;
 mod random;
 mod reactions;
 mod refused;

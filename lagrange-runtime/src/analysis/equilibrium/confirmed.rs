@@ -44,7 +44,8 @@ where
     }
 
     /// Whether forces are linear along one direction over some distance. Each is tried from twice Newton's
-    /// step and the last digit of the coordinates up to the reach of the search.
+    /// step and the last digit of the coordinates on: near zero rounding errors hide forces further than any
+    /// size of a coordinate tells.
     fn is_confirmed(
         &self,
         rest: &Rest<S::Scalar, N, C>,
@@ -60,7 +61,7 @@ where
         let vector = curvature.vectors[direction];
         let step = rest.length * (dot(&vector, &rest.forces) / value).abs();
         let z = rest.motions.combined(&vector);
-        let ([place, reach], here) = (self.along(rest, search, &z), dot(&z, &rest.left));
+        let ([place, _], here) = (self.along(rest, search, &z), dot(&z, &rest.left));
         let mut distance = larger(number(2.0) * step, S::Scalar::epsilon() * place);
         loop {
             let is_linear = PLACES.into_iter().all(|place| {
@@ -68,12 +69,11 @@ where
                 let bend = self.pull(rest, &z, way) - here + slope * way;
                 bend.abs() <= (number(0.5) * slope * way).abs()
             });
-            distance *= number(4.0);
             // Without any distance the curvature stands for itself.
-            let is_within = distance.is_positive() && distance <= reach;
-            if is_linear || !is_within {
+            if is_linear || !(distance.is_positive() && distance.is_finite()) {
                 return is_linear;
             }
+            distance *= number(4.0);
         }
     }
 

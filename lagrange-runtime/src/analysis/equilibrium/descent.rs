@@ -8,6 +8,7 @@
 //! along a step tell whether it crosses a hill.
 
 use super::curvature::Model;
+use super::hills::{CHECKS, RULE, may_rise, share};
 use super::newton::Search;
 use super::statics::{Rest, Statics, dot};
 use crate::analysis::Tangent;
@@ -16,18 +17,6 @@ use crate::number::real::{Ordered, Real, larger, smaller};
 
 /// The most steps of a search.
 const STEPS: usize = 200;
-
-/// The rule of Kronrod with seven points on [−1, 1]: points, weights, and the weights of the rule of Gauss
-/// with three of the points (R. Piessens et al., *QUADPACK*, 1983).
-const RULE: [(f64, f64, f64); 7] = [
-    (-0.960_491_268_708_020_3, 0.104_656_226_026_467_27, 0.0),
-    (-0.774_596_669_241_483_4, 0.268_488_089_868_333_44, 5.0 / 9.0),
-    (-0.434_243_749_346_802_55, 0.401_397_414_775_962_2, 0.0),
-    (0.0, 0.450_916_538_658_474_14, 8.0 / 9.0),
-    (0.434_243_749_346_802_55, 0.401_397_414_775_962_2, 0.0),
-    (0.774_596_669_241_483_4, 0.268_488_089_868_333_44, 5.0 / 9.0),
-    (0.960_491_268_708_020_3, 0.104_656_226_026_467_27, 0.0),
-];
 
 /// The end of a descent.
 pub(super) enum Descent<R, const N: usize, const C: usize> {
@@ -131,7 +120,7 @@ where
             radius = Some(length * scale);
             (fallen, last, steps) = (fallen + by, by, steps + number(1.0));
             search.stepped(way, &next);
-            rest = next;
+            rest = self.turned_back(next, search);
         }
         let goes_on = search.goes_on() || falls_on(fallen, last, steps);
         ended(rest, goes_on)
@@ -172,22 +161,26 @@ where
     ) -> Fall<S::Scalar> {
         let number = S::Scalar::from_f64;
         let along = way.each(|x| x / units.length);
-        let mut powers = [number(0.0); RULE.len()];
-        let (mut by, mut coarse) = (number(0.0), number(0.0));
-        for (power, (point, fine, rough)) in powers.iter_mut().zip(RULE) {
-            let share = number(0.5 * (1.0 + point));
+        let power = |share| {
             let q = array(|i| S::Scalar::mul_add(share, way[i], rest.q[i]));
-            *power = dot(&self.imbalance(&q, &rest.multipliers).each(|f| f / units.force), &along);
-            by += number(0.5 * fine) * *power;
-            coarse += number(0.5 * rough) * *power;
+            dot(&self.imbalance(&q, &rest.multipliers).each(|f| f / units.force), &along)
+        };
+        let powers = RULE.each(|(point, ..)| power(share(point)));
+        let (mut by, mut coarse) = (number(0.0), number(0.0));
+        for (&power, (_, fine, rough)) in powers.iter().zip(RULE) {
+            by += number(0.5 * fine) * power;
+            coarse += number(0.5 * rough) * power;
         }
         // Where constraints bend the way, this line tells nothing of the hills on it.
-        let crosses_a_hill = C == 0 && rise_and_fall(&powers);
+        let crosses_a_hill = C == 0 && may_rise(&powers, &CHECKS.each(|point| power(share(point))));
         Fall { by, doubt: (by - coarse).abs(), crosses_a_hill }
     }
 
-    /// Whether the energy rises and falls again on the constraints beside a straight line. What is left of
-    /// the forces there has no part across the constraints.
+    /// Whether the energy may rise and fall again on the constraints beside a straight line, or the line lead
+    /// to another branch of them. What is left of the forces there has no part across the constraints.
+    ///
+    /// From one place of the line to the next the constraints are one-to-one across it if their gradients
+    /// change by less than what they are: the way back onto them is a contraction then (L. Kantorovich).
     #[cold]
     fn crosses_on_constraints(
         &self,
@@ -198,30 +191,28 @@ where
         if C == 0 {
             return false;
         }
-        let number = S::Scalar::from_f64;
         let along = way.each(|x| x / units.length);
-        let mut powers = [number(0.0); RULE.len()];
-        for (power, (point, ..)) in powers.iter_mut().zip(RULE) {
-            let share = number(0.5 * (1.0 + point));
+        let mut branch = self.branch(&rest.gradients);
+        let mut power = |share| {
             let beside = array(|i| S::Scalar::mul_add(share, way[i], rest.q[i]));
-            let Ok(q) = self.feasible(beside) else { return true };
-            *power = dot(&self.left(&q).each(|f| f / units.force), &along);
+            let q = self.feasible(beside).ok()?;
+            let gradients = self.variation(&q, &[S::Scalar::from_f64(0.0); C]).gradients;
+            let is_on = self.leads_to(&branch, &Self::holonomic(gradients.clone()));
+            branch = self.branch(&gradients);
+            is_on.then(|| dot(&self.left(&q).each(|f| f / units.force), &along))
+        };
+        let mut powers = [S::Scalar::from_f64(0.0); RULE.len()];
+        for (found, (point, ..)) in powers.iter_mut().zip(RULE) {
+            let Some(power) = power(share(point)) else { return true };
+            *found = power;
         }
-        rise_and_fall(&powers)
+        let checks = CHECKS.each(|point| {
+            let beside = array(|i| S::Scalar::mul_add(share(point), way[i], rest.q[i]));
+            let q = self.feasible(beside);
+            q.map_or(S::Scalar::from_f64(f64::NAN), |q| dot(&self.left(&q).each(|f| f / units.force), &along))
+        });
+        may_rise(&powers, &checks)
     }
-}
-
-/// Whether powers along a way say that the energy rises and falls again. A rise within half of the digits of
-/// the forces is no hill.
-fn rise_and_fall<R: Ordered>(powers: &[R]) -> bool {
-    let most = powers.iter().fold(R::zero(), |most, x| larger(x.abs(), most));
-    let noise = R::epsilon().sqrt() * most;
-    let (mut has_risen, mut falls) = (false, false);
-    for &power in powers {
-        has_risen |= power < -noise;
-        falls |= has_risen && power > noise;
-    }
-    falls
 }
 
 /// Whether the last fall was at least half of the average.
@@ -231,21 +222,4 @@ fn falls_on<R: Ordered>(fallen: R, last: R, steps: R) -> bool {
 
 fn ended<R, const N: usize, const C: usize>(rest: Rest<R, N, C>, goes_on: bool) -> Descent<R, N, C> {
     if goes_on { Descent::Endless(rest) } else { Descent::At(rest) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_rule_of_kronrod_has_its_degree() {
-        for degree in 0..12 {
-            let sum = |weight: fn(&(f64, f64, f64)) -> f64| -> f64 {
-                RULE.iter().map(|rule| weight(rule) * rule.0.powi(degree)).sum()
-            };
-            let exact = if degree % 2 == 0 { 2.0 / f64::from(degree + 1) } else { 0.0 };
-            assert!((sum(|rule| rule.1) - exact).abs() < 1e-15, "{degree}");
-            assert_eq!((sum(|rule| rule.2) - exact).abs() < 1e-15, degree < 6 || degree % 2 == 1, "{degree}");
-        }
-    }
 }

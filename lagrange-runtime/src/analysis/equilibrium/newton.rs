@@ -5,17 +5,22 @@
 //! (∂r/∂q) Z. So the steps converge quadratically, also to equilibria that are not isolated (N. Yamashita, M.
 //! Fukushima, Computing Suppl. 15 (2001) 239).
 
-use super::statics::{Rest, Statics, length};
+use super::statics::{Rest, Statics, dot, length};
 use crate::analysis::Tangent;
 use crate::linear::SingularValues;
 use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger, smaller};
+use crate::system::attitude;
+use crate::system::state::State;
 
 /// The most steps of a search.
 const STEPS: usize = 200;
 
 /// The damping at the start, and the largest one, relative to the largest singular value squared.
 const DAMPING: (f64, f64) = (1e-3, 1e12);
+
+/// The ratio up to which two rounding errors of forces are alike.
+const ALIKE: f64 = 16.0;
 
 /// A search so far: its start, the forces on its way, and the lengths of its steps.
 #[derive(Clone, Copy)]
@@ -94,6 +99,7 @@ where
                 if let Some(next) = next.filter(|next| next.norm < rest.norm) {
                     let way: [S::Scalar; N] = array(|i| next.q[i] - rest.q[i]);
                     search.stepped(self.length(&way), &next);
+                    let next = self.turned_back(next, search);
                     // Quadratic convergence needs a damping that vanishes with the forces.
                     let share = next.norm / search.met;
                     damping = smaller(damping * number(0.1), share * share);
@@ -121,12 +127,27 @@ where
         change.each(|x| rest.length * x)
     }
 
+    /// The same position by orientations of less than a whole turn. Near a whole one a small turn changes a
+    /// triple by any amount, and beyond it curvatures have no digits.
+    pub fn turned_back(
+        &self,
+        rest: Rest<S::Scalar, N, C>,
+        search: &mut Search<S::Scalar, N>,
+    ) -> Rest<S::Scalar, N, C> {
+        let Some(State { q, .. }) = attitude::settle(S::ORIENTATIONS, &State::at_rest(rest.q)) else {
+            return rest;
+        };
+        search.start = array(|i| search.start[i] + (q[i] - rest.q[i]));
+        self.rest(q)
+    }
+
     /// Judges the position where a search has ended.
     pub fn judged(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> Verdict<S::Scalar> {
         let number = S::Scalar::from_f64;
         let values = SingularValues::new(&rest.stiffness.rows);
         let largest = values.largest_square();
-        let step = self.length(&self.displacement(rest, &values, number(0.0)));
+        let change = self.displacement(rest, &values, number(0.0));
+        let step = self.length(&change);
         let remainder = rest.length * values.remainder(&rest.forces).sqrt();
         let (epsilon, reach) = (S::Scalar::epsilon(), self.reach(rest, search));
         // Forces that a step does not remove, because no stiffness acts against them, must be rounding errors
@@ -143,8 +164,33 @@ where
         // The square of the least stiffness that counts: √ε of the largest one of the search, in units of the
         // position.
         let least = epsilon * (largest / (stiffness * stiffness));
-        let is_isolated = values.rank(least) == free && step <= epsilon.sqrt() * reach;
-        Verdict { is_balanced: is_rounding && ends && is_small, ends, is_isolated, stiffness }
+        let is_regular = values.rank(least) == free;
+        if is_rounding && ends && is_small {
+            let is_isolated = is_regular && step <= epsilon.sqrt() * reach;
+            return Verdict { is_balanced: true, ends, is_isolated, stiffness };
+        }
+        let are_errors = self.leaves_errors(rest, &values, &change);
+        let ends = ends || are_errors;
+        Verdict { is_balanced: are_errors, ends, is_isolated: are_errors && is_regular, stiffness }
+    }
+
+    /// Whether Newton's method would leave the forces of a start, which are rounding errors.
+    pub fn starts_balanced(&self, rest: &Rest<S::Scalar, N, C>) -> bool {
+        let values = SingularValues::new(&rest.stiffness.rows);
+        let change = self.displacement(rest, &values, S::Scalar::from_f64(0.0));
+        self.leaves_errors(rest, &values, &change)
+    }
+
+    /// Whether the forces that a step would remove are rounding errors, and the others no larger.
+    fn leaves_errors(
+        &self,
+        rest: &Rest<S::Scalar, N, C>,
+        values: &SingularValues<S::Scalar, N>,
+        change: &[S::Scalar; N],
+    ) -> bool {
+        let all = dot(&rest.forces, &rest.forces);
+        let left = values.remainder(&rest.forces);
+        left <= S::Scalar::from_f64(ALIKE * ALIKE) * (all - left) && self.are_errors(rest, change)
     }
 
     /// The size of the coordinates and of the distance so far.

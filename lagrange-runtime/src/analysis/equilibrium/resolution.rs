@@ -19,6 +19,13 @@ use crate::system::name::Name;
 /// but not at all four.
 const PLACES: [f64; 4] = [1.0, -1.0, 2.0, -2.0];
 
+/// The longest part of Newton's step that forces are to follow. Rounding errors may follow longer ones by
+/// accident.
+const LONGEST: f64 = 1.0 / 16.0;
+
+/// The parts that are tried, each a quarter of the one before.
+const PARTS: usize = 32;
+
 impl<S, const N: usize, const K: usize, const C: usize> Statics<'_, S, N, K, C>
 where
     S: Tangent<N, K, C>,
@@ -78,5 +85,35 @@ where
             let mut motions = rest.motions.vectors.iter().take(rest.motions.count);
             motions.all(|vector| dot(vector, &bends).abs() <= most || dot(vector, &there).abs() <= least)
         })
+    }
+
+    /// Whether the forces that Newton's step would remove are rounding errors: they do not follow any part of
+    /// that step, however short.
+    ///
+    /// A position near zero has no size that would tell this. Springs that pull to all sides leave the
+    /// rounding errors of what each of them pulls, and these do not change with the last digits of a
+    /// coordinate.
+    pub fn are_errors(&self, rest: &Rest<S::Scalar, N, C>, step: &[S::Scalar; N]) -> bool {
+        let by_q = self.variation(&rest.q, &rest.multipliers).by_q;
+        let slopes = by_q.each_ref().each(|row| dot(row, step));
+        let most = |forces: &[S::Scalar; N]| {
+            let vectors = rest.motions.vectors.iter().take(rest.motions.count);
+            vectors.fold(S::Scalar::zero(), |most, vector| larger(dot(vector, forces).abs(), most))
+        };
+        let (stiffest, mut part) = (most(&slopes), S::Scalar::from_f64(LONGEST));
+        for _ in 0..PARTS {
+            let is_linear = PLACES.into_iter().all(|place| {
+                let way = S::Scalar::from_f64(place) * part;
+                let q = array(|i| S::Scalar::mul_add(way, step[i], rest.q[i]));
+                let there = self.imbalance(&q, &rest.multipliers);
+                let bends = most(&array(|i| there[i] - rest.left[i] - slopes[i] * way));
+                bends <= (S::Scalar::from_f64(0.5) * stiffest * way).abs()
+            });
+            if is_linear {
+                return false;
+            }
+            part *= S::Scalar::from_f64(0.25);
+        }
+        true
     }
 }

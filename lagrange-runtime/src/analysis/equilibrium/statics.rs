@@ -204,7 +204,7 @@ where
     }
 
     /// The gradients of the holonomic constraints alone.
-    fn holonomic(mut gradients: Stored<[[S::Scalar; N]; C]>) -> Stored<[[S::Scalar; N]; C]> {
+    pub fn holonomic(mut gradients: Stored<[[S::Scalar; N]; C]>) -> Stored<[[S::Scalar; N]; C]> {
         for (row, is_holonomic) in gradients.iter_mut().zip(S::HOLONOMIC) {
             if !is_holonomic {
                 *row = [S::Scalar::zero(); N];
@@ -286,7 +286,9 @@ where
             (!Self::HOLONOMIC).then(|| Directions::new(&self.metric, &Self::holonomic(gradients.clone())));
         let mut forces = [S::Scalar::zero(); N];
         for (force, vector) in forces.iter_mut().zip(motions.vectors.iter()).take(motions.count) {
-            *force = dot(vector, &left);
+            let along = dot(vector, &left);
+            // A force without an inverse has no digits.
+            *force = if along.recip().is_finite() { along } else { S::Scalar::zero() };
         }
         let mut stiffness = stiffness(&by_q, &motions, places.as_ref().unwrap_or(&motions));
         let one = S::Scalar::one();

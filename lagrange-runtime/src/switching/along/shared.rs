@@ -41,13 +41,13 @@ where
     S::Scalar: Ordered,
 {
     /// Whether a guard is that of a reaction that may share a load.
-    pub(super) fn may_share(&self, guard: Guard) -> bool {
+    pub(in crate::switching) fn may_share(&self, guard: Guard) -> bool {
         matches!(guard, Guard::Row(row)
             if self.regime.active.get(row) == Some(&true) && may_share(&S::ROWS, row))
     }
 
     /// The frictions that stick and the contacts that bear, are watched and share a load.
-    pub(super) fn sharing(&self) -> [bool; C] {
+    pub(in crate::switching) fn sharing(&self) -> [bool; C] {
         let mut sharing = array(|row| self.has(Guard::Row(row)) && self.may_share(Guard::Row(row)));
         if !sharing.contains(&true) {
             return sharing;
