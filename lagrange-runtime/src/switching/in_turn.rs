@@ -23,7 +23,8 @@ where
     S: Switching<N, K, C, W>,
     S::Scalar: Ordered,
 {
-    /// The velocities after the impact, and its impulses: in turn where one recoils.
+    /// The velocities after the impact, and its impulses: in turn where one recoils. Where a motion begins,
+    /// gaps of zero are zero, and all impacts are at once.
     ///
     /// # Errors
     /// Those of [`impact`](Self::impact), and over numbers with variations those that say that these have
@@ -31,17 +32,17 @@ where
     pub(super) fn collide(
         &self,
         present: &[bool; C],
-        fired: Option<usize>,
+        (fired, begins): (Option<usize>, bool),
         scales: &Scales<S::Scalar, C>,
         tolerance: S::Scalar,
     ) -> Result<Struck<S::Scalar, N, C>, Cause> {
         let struck = self.impact()?;
-        let recoils = self.recoils(&struck.1, present);
+        let recoils = !begins && self.recoils(&struck.1, present);
         if S::Scalar::PARTS > 1 {
             if recoils {
                 return Err(self.accumulation());
             }
-            self.struck(fired, &struck.1, tolerance)?;
+            self.struck(fired, present, &struck.1, tolerance)?;
         }
         if recoils { self.in_turn(scales, tolerance) } else { Ok(struck) }
     }

@@ -81,10 +81,11 @@ where
             let mut scene = &first;
             scene.has_gradients()?;
             if scene.has_impact() {
+                let begins = self.memory.is_fresh;
                 scene.can_collide(&scales.coefficients)?;
                 scales.strike(&scene.status.each(|status| status == Status::Meets), &scene.laws);
                 (state.v, *impulses) =
-                    scene.collide(&present.active, known.fired, scales, self.limits.relative)?;
+                    scene.collide(&present.active, (known.fired, begins), scales, self.limits.relative)?;
                 let rested = scene.stopped(&state.v, impulses);
                 present.kinks = jumped(self.system, state, inputs, &present.kinks);
                 known = Known { rested, ..Known::struck(scene.is_closed) };

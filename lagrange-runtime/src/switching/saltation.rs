@@ -253,12 +253,13 @@ where
 {
     /// Why an impact with these impulses has no derivatives: a contact beside the one that has fired has a
     /// part in it, and its gap varies. In varied motions that contact is open at the time of the impact, and
-    /// is struck later, if at all. The gap of a contact that holds does not vary. Nor has an impact
+    /// is struck later, if at all. The gap of a contact that holds at `present` does not vary. Nor has an impact
     /// derivatives whose restitution is zero and varies: infinitely many impacts follow in varied motions.
     #[cold]
     pub(super) fn struck(
         &self,
         fired: Option<usize>,
+        present: &[bool; C],
         impulses: &[S::Scalar; C],
         tolerance: S::Scalar,
     ) -> Result<(), Cause> {
@@ -274,6 +275,7 @@ where
         let is_struck = |row: &usize| {
             S::ROWS[*row] == Row::Unilateral
                 && fired != Some(*row)
+                && !present[*row]
                 && impulses[*row].part(0).abs().is_positive()
                 && self.varies(*row, tolerance)[0]
         };

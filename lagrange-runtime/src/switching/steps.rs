@@ -109,7 +109,8 @@ where
             Err(error) => {
                 // The step is not taken.
                 (motion.regime, motion.next) = (regime, None);
-                Err(error.cause)
+                // No limit of a caller's: a step has so many parts.
+                Err(if error.cause == Cause::TooManySteps { Cause::StepTooLong } else { error.cause })
             }
         }
     }

@@ -188,7 +188,7 @@ pub enum Cause {
     Irreversible,
     /// A fixed step is too long for the constraints. Bringing its end back onto them would change the state
     /// by more than the step itself, or the energy, which is conserved, changes by more than stages of the
-    /// step differ.
+    /// step differ. Or contacts and frictions switch more often in it than it has parts.
     StepTooLong,
     /// A coordinate, velocity, acceleration or parameter is infinite or not a number.
     NotFinite,

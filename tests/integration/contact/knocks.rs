@@ -109,3 +109,46 @@ fn a_tower_takes_the_knock_of_a_ball() {
     }
     assert!(knocked > 5, "{knocked}");
 }
+
+/// A point in the corner of a floor and a wall that leans over it.
+struct Corner {
+    lean: f64,
+    restitution: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Corner {
+    #[point(mass = 1.0)]
+    fn ball(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[unilateral(restitution = 0.0)]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        q.y
+    }
+
+    #[unilateral(restitution = self.restitution)]
+    fn wall(&self, q: &Coordinates) -> f64 {
+        q.y * self.lean.cos() - q.x * self.lean.sin()
+    }
+}
+
+#[test]
+fn a_contact_that_hardly_opens_is_struck_like_one_that_touches() {
+    let mut samples = Samples::new(3);
+    for _ in 0..100 {
+        // The wall pushes the point into the floor.
+        let corner = Corner { lean: samples.number(1.7, 2.8), restitution: samples.number(0.0, 1.0) };
+        let up = if samples.unit() < 0.2 { 0.0 } else { 10_f64.powf(samples.number(-15.0, -1.0)) };
+        let along = [-corner.lean.sin(), corner.lean.cos()];
+        let closing = along[0] + along[1] * up;
+        let after = corner.simulate(State::new([0.0; 2], [1.0, up])).advance_to(1e-9).unwrap().v;
+        // Both bear: the floor stops the point, and the wall returns it along the floor.
+        let back = -corner.restitution * closing / along[0];
+        if back * back < 1.0 {
+            close_on(1.0, after[0], back, 1e-12);
+            close_on(1.0, after[1], 0.0, 1e-12);
+        }
+    }
+}

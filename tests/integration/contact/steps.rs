@@ -279,7 +279,7 @@ fn what_fixed_steps_cannot_do_is_an_error() {
     let ball = Ball { restitution: 0.999 };
     let low = State::at_rest([1e-4]);
     // Thousands of bounces.
-    assert_eq!(cause(&ball, low, 20.0), Cause::TooManySteps);
+    assert_eq!(cause(&ball, low, 20.0), Cause::StepTooLong);
     assert!(matches!(cause(&ball, State::at_rest([-0.1]), H), Cause::Penetrates { .. }));
     assert_eq!(cause(&ball, low, -H), Cause::Irreversible);
     assert!(matches!(cause(&Ball { restitution: 1.5 }, low, H), Cause::InvalidContact { .. }));

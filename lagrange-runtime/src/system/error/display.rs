@@ -139,8 +139,9 @@ impl fmt::Display for Cause {
             ),
             Self::StepTooLong => out.write_str(
                 "the step is too long: bringing its end back onto the constraints would change more than the step did; or \
-                 the energy, which is conserved, changes by more than the step can have made of it; or a slip in two \
-                 directions begins or ends, whose friction turns faster than the step follows; take shorter steps, or `simulate`",
+                 the energy, which is conserved, changes by more than the step can have made of it; or more switches fall \
+                 into it than it has parts, or a slip in two directions begins or ends, whose friction turns faster than \
+                 these follow; take shorter steps, or `simulate`",
             ),
             Self::NotFinite => out.write_str(
                 "a value is infinite or not a number: check the parameters and the start, or stop before \

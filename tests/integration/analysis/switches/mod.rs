@@ -5,6 +5,7 @@ mod friction;
 mod impacts;
 mod jumps;
 mod kinks;
+mod planks;
 mod tables;
 mod together;
 
