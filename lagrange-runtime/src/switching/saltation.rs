@@ -253,8 +253,9 @@ where
 {
     /// Why an impact with these impulses has no derivatives: a contact beside the one that has fired has a
     /// part in it, and its gap varies. In varied motions that contact is open at the time of the impact, and
-    /// is struck later, if at all. The gap of a contact that holds at `present` does not vary. Nor has an impact
-    /// derivatives whose restitution is zero and varies: infinitely many impacts follow in varied motions.
+    /// is struck later, if at all. The gap of a contact that holds at `present` does not vary. Nor has an
+    /// impact derivatives whose restitution is zero and varies: infinitely many impacts follow in varied
+    /// motions.
     #[cold]
     pub(super) fn struck(
         &self,
