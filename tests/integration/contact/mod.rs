@@ -29,6 +29,7 @@ mod laws;
 mod leashes;
 mod legs;
 mod letting_go;
+mod limits_of_rest;
 mod linkages;
 mod narrow;
 mod nested;
