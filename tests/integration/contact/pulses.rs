@@ -10,8 +10,8 @@ use crate::support::sample::Samples;
 /// The number of bodies that are held.
 const BODIES: usize = 6;
 
-/// Bodies that are held under loads that rise within a width, each in another way and at another time. All let
-/// go where their load is one.
+/// Bodies that are held under loads that rise within a width, each in another way and at another time. All
+/// let go where their load is one.
 struct Held {
     /// The largest load, of each shape: all but one are zero.
     most: [f64; 4],
