@@ -300,8 +300,8 @@ where
         }
         let there = self.only(guard).parts(|x| x, end.state.t, [&end.state.q, &end.state.v]);
         let values = |parts: &Parts<S::Scalar, C, W>| [parts.functions.fixed[row], parts.backward[row]];
-        let known = sides.into_iter().zip(values(start).into_iter().zip(values(&there)));
-        known.into_iter().all(|(along, (start, there))| {
+        let mut known = sides.into_iter().zip(values(start).into_iter().zip(values(&there)));
+        known.all(|(along, (start, there))| {
             let Along::Series(index) = along else { return true };
             let gain = course.gain_of_function_at(index, S::FOLLOWED, end.part);
             (start + gain - there).abs() <= course.allowed() * (start.abs() + gain.abs() + there.abs())

@@ -66,20 +66,9 @@ where
         } else {
             None
         };
-        if !self.can_be_overloaded() {
-            return own;
-        }
-        let relative = limits.relative;
-        let overloaded = match M::terms(inner) {
-            Some(terms) => {
-                let course = Course::new(terms, relative, S::FOLLOWED);
-                self.overloaded_inside(Some(&course), relative, |part| course.at(self.start, part)[0])
-            }
-            None => {
-                let at = |part| M::within(inner, self.in_regime, constants, control, limits, part).ok();
-                self.overloaded_inside(None, relative, states_of(at))
-            }
-        };
+        let overloaded = M::terms(inner)
+            .filter(|_| self.can_be_overloaded())
+            .and_then(|terms| self.overloaded_inside(&Course::new(terms, limits.relative, S::FOLLOWED)));
         let falls = own.into_iter().chain(overloaded);
         falls.reduce(|one, other| if other.0 < one.0 { other } else { one })
     }

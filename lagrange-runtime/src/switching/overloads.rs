@@ -63,33 +63,25 @@ where
         (S::NARROW || S::InRegime::STEEP) && self.has_reactions()
     }
 
-    /// The first part of the step at which a narrow load takes a guard of reactions below zero, without the
-    /// step's knowing: its polynomials, or the values at both ends of a step without them. `state_at` gives
-    /// the state after a part of it, and `relative` is the tolerance of the motion.
+    /// The first part of a step at which a narrow load takes a guard of reactions below zero, without the
+    /// step's knowing: its polynomials, or the values at both ends where these do not converge.
     #[inline(never)]
-    pub(super) fn overloaded_inside(
-        &self,
-        course: Option<&Course<'_, S::Scalar, N>>,
-        relative: S::Scalar,
-        state_at: impl Fn(S::Scalar) -> State<S::Scalar, N>,
-    ) -> Option<(S::Scalar, Guard)> {
+    pub(super) fn overloaded_inside(&self, course: &Course<'_, S::Scalar, N>) -> Option<(S::Scalar, Guard)> {
         let one: S::Scalar = num_traits::One::one();
-        let course = course.filter(|course| self.are_foreseen(course));
+        let state_at = |part| course.at(self.start, part)[0];
+        let are_foreseen = self.are_foreseen(course);
         // At rest a step is no longer than the series of reactions converge as the motion does.
-        let allowed = match course {
-            Some(course) if course.rests() => course.left,
-            Some(course) => course.left.sqrt(),
-            None => relative.part(0).sqrt(),
-        };
+        let allowed = if are_foreseen && course.rests() { course.left } else { course.left.sqrt() };
         let (mut first, mut sharing, mut ends) = (None, None, None);
         let State { t, q, v } = self.start;
-        let start = course.map(|_| self.parts(|x| x, *t, [q, v]));
+        let start = self.parts(|x| x, *t, [q, v]);
         let mut look = |part: S::Scalar, safety: f64| {
             let state = state_at(part);
             let there = self.guards_at(&state, &state);
-            let expected = match (course, &start) {
-                (Some(course), Some(start)) => self.foreseen(course, start, part),
-                _ => *ends.get_or_insert_with(|| self.least_of_ends(&state_at(one))),
+            let expected = if are_foreseen {
+                self.foreseen(course, &start, part)
+            } else {
+                *ends.get_or_insert_with(|| self.least_of_ends(&state_at(one)))
             };
             // Others may bear what one does not: then its own guard does not tell how much is left.
             let mut shares = |guard| match guard {

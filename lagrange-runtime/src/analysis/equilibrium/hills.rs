@@ -97,7 +97,7 @@ mod tests {
         assert!(!rises(|x| 0.8 - x));
         assert!(!rises(|x| 1.0 + x));
         assert!(rises(|x| (x + 0.6) * (x - 0.3)));
-        // A valley between two points, and one that hardly is none.
+        // A valley between two points, and a slope that comes as near to zero as one.
         assert!(rises(|x| (x - 0.2).powi(2) - 0.01));
         assert!(rises(|x| (x - 0.2).powi(2) + 0.01));
         // The top of a hill.

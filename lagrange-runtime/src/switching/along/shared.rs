@@ -93,8 +93,8 @@ where
         let is_within = has_cones && self.holds(self.start, Way::ByMargin);
         let way = if is_within { Way::ByMargin } else { Way::AsChosen };
         let at = |place: S::Scalar| self.holds(&course.at(self.start, place)[0], way);
-        // A search for shares that does not end at one place does beside it. Where the last ones are gone,
-        // there are none on one of the sides.
+        // A search for shares that does not end at one place does beside it. At the place where the last
+        // shares are lost, one of its two neighbours has none.
         let holds = |place: S::Scalar| {
             at(place)
                 || BESIDE.into_iter().any(|part| {
