@@ -3,19 +3,19 @@
 use crate::number::real::{Ordered, Real, larger};
 
 /// The rule of Kronrod with seven points on [−1, 1]: points, weights, and the weights of the rule of Gauss
-/// with three of the points (R. Piessens et al., *QUADPACK*, 1983).
-pub(super) const RULE: [(f64, f64, f64); 7] = [
+/// with three of the points (R. Piessens et al., *QUADPACK*, 1983). The two points without weights check the
+/// polynomial through the others.
+pub(super) const RULE: [(f64, f64, f64); 9] = [
     (-0.960_491_268_708_020_3, 0.104_656_226_026_467_27, 0.0),
     (-0.774_596_669_241_483_4, 0.268_488_089_868_333_44, 5.0 / 9.0),
+    (-0.6, 0.0, 0.0),
     (-0.434_243_749_346_802_55, 0.401_397_414_775_962_2, 0.0),
     (0.0, 0.450_916_538_658_474_14, 8.0 / 9.0),
+    (0.2, 0.0, 0.0),
     (0.434_243_749_346_802_55, 0.401_397_414_775_962_2, 0.0),
     (0.774_596_669_241_483_4, 0.268_488_089_868_333_44, 5.0 / 9.0),
     (0.960_491_268_708_020_3, 0.104_656_226_026_467_27, 0.0),
 ];
-
-/// Points between these, at which the polynomial through the others is compared.
-pub(super) const CHECKS: [f64; 2] = [-0.6, 0.2];
 
 /// The places from one point of the rule to the next at which a hill is looked for.
 const BETWEEN: usize = 4;
@@ -29,14 +29,14 @@ pub(super) fn share<R: Real>(point: f64) -> R {
 }
 
 /// Whether powers at the points of the rule and between them leave open that the energy falls, then rises or
-/// hardly falls, and falls again: at these points or on their polynomial, which has to meet the `checks`. A
+/// hardly falls, and falls again: at these points or on their polynomial, which has to meet the others. A
 /// valley less deep than the level is one that the points may have missed. A step that ends where a rise has
 /// become half as steep as it was may end on a hill.
-pub(super) fn may_rise<R: Ordered>(powers: &[R; RULE.len()], checks: &[R; CHECKS.len()]) -> bool {
+pub(super) fn may_rise<R: Ordered>(powers: &[R; RULE.len()]) -> bool {
     let most = powers.iter().fold(R::zero(), |most, x| larger(x.abs(), most));
     let [level, noise] = [R::from_f64(LEVEL), R::epsilon().sqrt()].map(|share| share * most);
-    let meets = |(&point, &check): (&f64, &R)| (at(powers, point) - check).abs() <= level;
-    if !CHECKS.iter().zip(checks).all(meets) {
+    let meets = |(&(point, ..), &power): (&(f64, f64, f64), &R)| (at(powers, point) - power).abs() <= level;
+    if !RULE.iter().zip(powers).all(meets) {
         return true;
     }
     let (mut falls, mut levels, mut rises, mut steepest) = (false, false, false, R::zero());
@@ -58,17 +58,21 @@ pub(super) fn may_rise<R: Ordered>(powers: &[R; RULE.len()], checks: &[R; CHECKS
     false
 }
 
+fn has_weight(k: usize) -> bool {
+    RULE.get(k).is_some_and(|rule| rule.1 > 0.0)
+}
+
 fn point(k: usize) -> f64 {
     RULE.get(k).map_or(1.0, |rule| rule.0)
 }
 
-/// The polynomial through the powers at the points of the rule.
+/// The polynomial through the powers at the points that have weights.
 fn at<R: Ordered>(powers: &[R; RULE.len()], place: f64) -> R {
     let weight = |k: usize| {
-        let others = (0..RULE.len()).filter(|&other| other != k);
+        let others = (0..RULE.len()).filter(|&other| other != k && has_weight(other));
         others.fold(1.0, |product, other| product * (place - point(other)) / (point(k) - point(other)))
     };
-    let terms = powers.iter().enumerate();
+    let terms = powers.iter().enumerate().filter(|&(k, _)| has_weight(k));
     terms.fold(R::zero(), |sum, (k, &power)| R::mul_add(R::from_f64(weight(k)), power, sum))
 }
 
@@ -90,7 +94,7 @@ mod tests {
 
     #[test]
     fn valleys_between_points_are_seen() {
-        let rises = |power: fn(f64) -> f64| may_rise(&RULE.map(|rule| power(rule.0)), &CHECKS.map(power));
+        let rises = |power: fn(f64) -> f64| may_rise(&RULE.map(|rule| power(rule.0)));
         assert!(!rises(|_| 1.0));
         assert!(!rises(|x| 1.0 - x));
         // Beyond a minimum the energy rises alone, and from a maximum on it falls alone.
