@@ -7,6 +7,7 @@
 //!
 //! Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapters 5 and 7.
 
+use super::ended::Ended;
 use super::scene::{Scene, Status, Sticking, above, entry, most, put, rounding};
 use super::trials::{FEW, Options, Part, changes, combinations, combine, parts_at, regime, thresholds};
 use super::turning::has_pairs;
@@ -138,8 +139,24 @@ where
         self.search(options, decided, fired)
     }
 
+    /// The regime among these options, one that has ended at this time only if no other is possible.
     fn search(
         &self,
+        options: [Options; C],
+        decided: Option<usize>,
+        fired: Option<Fired>,
+    ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
+        if self.ended.any()
+            && let Ok(choice) = self.search_without(&self.ended, options, decided, fired)
+        {
+            return Ok(choice);
+        }
+        self.search_without(&Ended::none(), options, decided, fired)
+    }
+
+    fn search_without(
+        &self,
+        ended: &Ended<C>,
         options: [Options; C],
         decided: Option<usize>,
         fired: Option<Fired>,
@@ -149,18 +166,22 @@ where
         });
         if combinations(&options) > FEW
             && let Some((chosen, part)) = self.pivoted(&options, decided, is_coupled)
+            && !ended.has(&S::ROWS, &chosen.regime)
         {
             if is_coupled && let Some(constraint) = self.another(&chosen, &options, part, decided) {
                 return Err(Cause::SeveralReactions { constraint, name: S::NAMES.constraint(constraint) });
             }
-            return Ok(self.held_if_it_can(chosen, part, decided, fired));
+            let held = self.held_if_it_can(&chosen, part, decided, fired);
+            return Ok(held.filter(|held| !ended.has(&S::ROWS, &held.regime)).unwrap_or(chosen));
         }
         let mut cause = Cause::NotFinite;
         for part in thresholds() {
             let mut chosen: Option<Choice<S::Scalar, N, C, W>> = None;
             let mut other = None;
             combine(&options, &changes(&S::ROWS), |parts| {
-                let Some(trial) = regime(&S::ROWS, parts, &options, &[false; C], self.kinks) else {
+                let Some(trial) = regime(&S::ROWS, parts, &options, &[false; C], self.kinks)
+                    .filter(|trial| !ended.has(&S::ROWS, trial))
+                else {
                     return false;
                 };
                 // Among regimes that differ in friction alone, one is taken.
@@ -191,7 +212,8 @@ where
                 return Err(Cause::SeveralReactions { constraint, name: S::NAMES.constraint(constraint) });
             }
             if let Some(chosen) = chosen {
-                return Ok(self.held_if_it_can(chosen, part, decided, fired));
+                let held = self.held_if_it_can(&chosen, part, decided, fired);
+                return Ok(held.filter(|held| !ended.has(&S::ROWS, &held.regime)).unwrap_or(chosen));
             }
         }
         Err(cause)

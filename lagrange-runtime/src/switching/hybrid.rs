@@ -11,6 +11,7 @@
 
 use core::marker::PhantomData;
 
+use super::ended::Ended;
 use super::memory::HybridMemory;
 use super::run::Run;
 use super::scales::Scales;
@@ -84,6 +85,7 @@ where
             flips: [0; W],
             changes: 0,
             opened: [false; C],
+            ended: Ended::none(),
             counts: Steps::default(),
         }
     }

@@ -1,5 +1,7 @@
 //! The knowledge of a state beside its numbers.
 
+use super::ended::Ended;
+
 /// What is known of a state beside its numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Known<const C: usize> {
@@ -19,6 +21,8 @@ pub(super) struct Known<const C: usize> {
     /// only where no other regime is possible: without this, two regimes that rounding errors alone tell
     /// apart could follow each other without end.
     pub(super) opened: [bool; C],
+    /// Regimes that have ended at this time.
+    pub(super) ended: Ended<C>,
     /// Whether impacts are over: the closing velocities that are left are rounding errors.
     pub(super) settled: bool,
 }
@@ -33,6 +37,7 @@ impl<const C: usize> Known<C> {
             fired: None,
             rested: [false; C],
             opened: [false; C],
+            ended: Ended::none(),
             settled: false,
         }
     }

@@ -7,7 +7,6 @@ use super::scene::{Scene, Status, above, entry, put, rounding};
 use super::trials::Part;
 use super::turning::has_pairs;
 use super::{Along, Coefficients, Regime, Row, Switching};
-use crate::number::elements::array;
 use crate::number::real::Real;
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
@@ -67,23 +66,22 @@ where
         })
     }
 
-    /// The regime that is chosen, or the one to which loads lead that grow in proportion where a friction
-    /// begins to slip that might hold.
+    /// The regime to which loads lead that grow in proportion, where a friction begins to slip in the chosen
+    /// one that might hold; `None` where it begins for a reason.
     pub(super) fn held_if_it_can(
         &self,
-        chosen: Choice<S::Scalar, N, C, W>,
+        chosen: &Choice<S::Scalar, N, C, W>,
         part: S::Scalar,
         decided: Option<usize>,
         fired: Option<Fired>,
-    ) -> Choice<S::Scalar, N, C, W> {
+    ) -> Option<Choice<S::Scalar, N, C, W>> {
         if fired.is_none()
-            && let Some(resting) = self.idle(&chosen)
+            && let Some(resting) = self.idle(chosen)
         {
-            return resting;
+            return Some(resting);
         }
         let may_hold = self.may_hold(&chosen.regime, fired);
-        let loaded = if may_hold { self.loaded(&chosen, part, decided, fired) } else { None };
-        loaded.unwrap_or(chosen)
+        if may_hold { self.loaded(chosen, part, decided, fired) } else { None }
     }
 
     /// The regime in which slips in two directions stick that begin with nothing but rounding errors of their
@@ -141,8 +139,7 @@ where
             });
             let most = exceeded.reduce(|most, next| if above(next.1, most.1) { next } else { most });
             let Some((row, _)) = most else {
-                let parts =
-                    array(|row| S::ROWS.get(row).map_or(Part::Off, |&kind| Part::of(row, kind, &regime)));
+                let parts = Part::all(&S::ROWS, &regime);
                 return self.judge(&parts, &trial, part, decided).is_ok().then_some(trial);
             };
             let is_backward = across(row).is_none() && entry(forces, row).is_positive();
@@ -174,7 +171,7 @@ where
             return None;
         }
         let stuck = self.trial(*present)?;
-        let parts = array(|row| S::ROWS.get(row).map_or(Part::Off, |&kind| Part::of(row, kind, present)));
+        let parts = Part::all(&S::ROWS, present);
         self.judge(&parts, &stuck, rounding(), None).ok()?;
         let way = self.nearer(row, *normal, &stuck.multipliers);
         let Coefficients { kinetic, fixed } = self.against(way);

@@ -68,10 +68,14 @@ where
         let half = S::Scalar::from_f64(0.5);
         let mut later = self.instant();
         for _ in 0..TRIES {
-            // At half of the time it may still be hidden by the rounding errors of the time of the event.
-            if let Some((regime, part)) = self.loose_at(stuck, scales, later)
-                && above(part, S::Scalar::epsilon().sqrt())
-                && let Some((before, _)) = self.loose_at(stuck, scales, half * later)
+            // At half of the time it may still be hidden by the rounding errors of the time of the event, and
+            // at the limit several regimes pass for possible that nothing drives.
+            let driven = |later: S::Scalar| {
+                let (regime, part) = self.loose_at(stuck, scales, later)?;
+                above(part, S::Scalar::epsilon().sqrt()).then_some(regime)
+            };
+            if let Some(regime) = driven(later)
+                && let Some(before) = driven(half * later)
             {
                 return if before == regime { self.trial(regime) } else { None };
             }

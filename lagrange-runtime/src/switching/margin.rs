@@ -9,7 +9,7 @@
 //! to the centre and a reach more of margin, and all cuts of a cone that were active are kept as their mean
 //! (Kiwiel, *Methods of Descent for Nondifferentiable Optimization*, chapter 2).
 
-use super::nearest::nearest;
+use super::nearest::{Bound, nearest};
 use super::scene::{Scene, Sticking, above, entry, most, product};
 use super::turning::TURNS;
 use super::{Regime, Row, Switching};
@@ -117,16 +117,18 @@ where
                 reach = size;
             }
             // The nearest point, with the margin that it lacks to the reach for a last entry.
-            let rows: [[S::Scalar; C]; C] = array(|j| cuts[j].as_ref().map_or([zero; C], free));
-            let last = array(|j| if cuts[j].is_some() { one } else { zero });
-            let lacks = array(|j| {
-                cuts[j].map_or(zero, |cut| margin + reach - (product(&cut.normal, &centre) - cut.bound))
+            let limits = array(|j| {
+                cuts[j].as_ref().map_or(Bound::none(), |cut| {
+                    let least = margin + reach - (product(&cut.normal, &centre) - cut.bound);
+                    Bound { row: free(cut), last: one, least }
+                })
             });
-            let Some(pushes) = nearest(&rows, &last, &lacks) else { return false };
+            let Some([pushes, _]) = nearest([&limits, &[Bound::none(); C]]) else { return false };
             let rest = pushes.iter().fold(zero, |sum, &push| sum + push);
             predicted = reach - rest;
-            let step: [S::Scalar; C] =
-                array(|i| rows.iter().zip(&pushes).fold(zero, |sum, (row, &push)| sum + push * row[i]));
+            let step: [S::Scalar; C] = array(|i| {
+                limits.iter().zip(&pushes).fold(zero, |sum, (limit, &push)| sum + push * limit.row[i])
+            });
             point = array(|i| centre[i] + step[i]);
             // The mean of the active cuts bounds the margin by that of the centre, its error there, and its
             // slope times the distance, of which the size of the load is the measure.

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use super::ended::Ended;
 use super::guards::Guard;
 use super::scales::Scales;
 use super::way::Way;
@@ -55,6 +56,8 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) changes: usize,
     /// Contacts that have opened since then, or since an impact, and frictions that have let go.
     pub(super) opened: [bool; C],
+    /// Regimes that have ended since then, or since an impact, in which no time has passed.
+    pub(super) ended: Ended<C>,
     /// The costs of the regimes before.
     pub(super) counts: Steps,
 }
@@ -109,6 +112,22 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         (t == self.switched && self.next.is_some()).then(|| self.switched())
     }
 
+    /// Forgets the changes of regime before time has passed.
+    pub(super) fn forget_changes(&mut self) {
+        (self.flips, self.changes, self.opened) = ([0; W], 0, [false; C]);
+        self.ended = Ended::none();
+    }
+
+    /// Notes the end of the regime of the piece where a row has `fired`, if it has begun at this time. At a
+    /// kink another regime begins.
+    pub(super) fn note_end(&mut self, rows: &[Row; C], fired: Option<usize>) {
+        if fired.is_none() {
+            self.ended = Ended::none();
+        } else if self.changes > 1 {
+            self.ended.note(rows, &self.regime);
+        }
+    }
+
     /// Notes the contacts that have opened from one regime to the next where a row has `fired`, and the
     /// frictions whose slips begin, unless that was an impact.
     pub(super) fn note_ends(
@@ -118,6 +137,9 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         fired: Option<usize>,
     ) {
         let is_impact = self.impulses != [R::zero(); C];
+        if is_impact {
+            self.ended = Ended::none();
+        }
         for (row, (slips_begin, kind)) in self.slips_begin.iter_mut().zip(rows).enumerate() {
             let sticks = |regime: &Regime<R, C, W>| regime.active.get(row) == Some(&true);
             let is_straight = matches!(kind, Row::Friction { pair: None, .. });

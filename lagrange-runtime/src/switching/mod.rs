@@ -18,6 +18,7 @@ mod contacts;
 mod corners;
 mod course;
 mod drifting;
+mod ended;
 mod event;
 mod functions;
 mod growing;

@@ -4,52 +4,111 @@
 //! entry than the rows of a system, the `last`. Least squares with
 //! unknowns that are not negative find it: with u from min |Σ uⱼ (pⱼ, dⱼ) − (0, 1)|, y is u over 1 − Σ uⱼ dⱼ.
 //! Only rows whose residual asks for them enter, so those that do are independent (Lawson and Hanson,
-//! *Solving Least Squares Problems*, chapter 23).
+//! *Solving Least Squares Problems*, chapter 23). Rows that almost contradict each other almost depend on each
+//! other: they are made orthogonal, since products of them would have the square of that small distance.
 
-use super::scene::{above, entry, most, product, put, rounding};
-use crate::number::elements::array;
+use super::scene::{above, most, product, put, rounding};
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 
-/// The y of the shortest x. `None` where there is no x, or none nearer than some 1/√[`rounding`] times the
-/// distance of the furthest bound. Rows of zeros demand nothing.
-pub(super) fn nearest<R: Real, const C: usize>(
-    rows: &[[R; C]; C],
-    last: &[R; C],
-    bounds: &[R; C],
-) -> Option<[R; C]> {
-    let (zero, one) = (R::zero(), R::one());
-    let times = |i: usize, j: usize| product(&rows[i], &rows[j]) + last[i] * last[j];
-    // Rows of unit length, and the largest of the bounds for a unit.
-    let scales: [R; C] = array(|j| {
-        let length = times(j, j).sqrt();
-        if length.is_positive() { length.recip() } else { zero }
-    });
-    let far = (0..C).fold(zero, |far, j| most(far, bounds[j] * scales[j]));
-    if !far.is_positive() {
-        return Some([zero; C]);
+/// A bound p · x ≥ d. A row of zeros demands nothing.
+#[derive(Clone, Copy)]
+pub(super) struct Bound<R, const C: usize> {
+    /// p.
+    pub(super) row: [R; C],
+    /// The last entry of p.
+    pub(super) last: R,
+    /// d.
+    pub(super) least: R,
+}
+
+impl<R: Real, const C: usize> Bound<R, C> {
+    /// None.
+    pub(super) fn none() -> Self {
+        Self { row: [R::zero(); C], last: R::zero(), least: R::zero() }
     }
-    let asked: [R; C] = array(|j| bounds[j] * scales[j] / far);
-    let counts = |j: usize| scales[j].is_positive();
-    let product_of = |i: usize, j: usize| times(i, j) * scales[i] * scales[j] + asked[i] * asked[j];
-    let gram: [[R; C]; C] =
-        array(|i| array(|j| if counts(i) && counts(j) { product_of(i, j) } else { zero }));
-    let (mut enters, mut u) = ([false; C], [zero; C]);
+
+    /// The length of p.
+    fn length(&self) -> R {
+        (product(&self.row, &self.row) + self.last * self.last).sqrt()
+    }
+
+    /// The product with another one, d with d.
+    fn product(&self, other: &Self) -> R {
+        product(&self.row, &other.row) + self.last * other.last + self.least * other.least
+    }
+
+    /// The sum with a multiple of another one.
+    fn plus(&self, factor: R, other: &Self) -> Self {
+        Self {
+            row: array(|i| factor.mul_add(other.row[i], self.row[i])),
+            last: factor.mul_add(other.last, self.last),
+            least: factor.mul_add(other.least, self.least),
+        }
+    }
+
+    /// The same bound with p of length one, and `far` for a unit of d.
+    fn scaled(&self, far: R) -> Self {
+        let length = self.length();
+        if !length.is_positive() {
+            return Self::none();
+        }
+        let factor = length.recip();
+        let least = self.least * factor / far;
+        Self { row: self.row.each(|x: R| x * factor), last: self.last * factor, least }
+    }
+}
+
+/// The y of the shortest x, one for each of two bounds of a row, of which one alone is not zero. `None` where
+/// there is no x, or none nearer than some 1/√[`rounding`] times the distance of the furthest bound.
+///
+/// Two bounds of a row are those of a friction in its two directions. Where both are met exactly, so is that
+/// of the reaction that limits it, so one of them is enough.
+pub(super) fn nearest<R: Real, const C: usize>(sides: [&[Bound<R, C>; C]; 2]) -> Option<[[R; C]; 2]> {
+    let zero = R::zero();
+    let distance = |bound: &Bound<R, C>| {
+        let length = bound.length();
+        if length.is_positive() { bound.least / length } else { zero }
+    };
+    let far = sides.iter().flat_map(|side| side.iter()).fold(zero, |far, bound| most(far, distance(bound)));
+    if !far.is_positive() {
+        return Some([[zero; C]; 2]);
+    }
+    let units = sides.map(|side| side.each(|bound| bound.scaled(far)));
+    // The bound of each row that enters, and its side.
+    let mut own = [Bound::none(); C];
+    let mut side: [Option<usize>; C] = [None; C];
+    let (mut u, mut rest) = ([zero; C], Bound { least: R::one(), ..Bound::none() });
     // Each round makes the residual shorter, so none of the sets comes twice.
     for _ in 0..8 * C {
-        let lacks = |j: usize| asked[j] - product(&gram[j], &u);
-        let free = (0..C).filter(|&j| !enters[j] && counts(j));
-        let most_lacking = free.fold(None, |most: Option<(usize, R)>, j| {
-            let lack = lacks(j);
-            if most.is_none_or(|(_, other)| above(lack, other)) { Some((j, lack)) } else { most }
-        });
-        let Some((j, _)) = most_lacking.filter(|&(_, lack)| above(lack, rounding())) else {
-            let rest = one - product(&asked, &u);
-            return above(rest, rounding()).then(|| array(|j| u[j] / rest * far * scales[j]));
+        let mut most_lacking = (rounding(), None);
+        for (which, units) in units.iter().enumerate() {
+            for (j, bound) in units.iter().enumerate().filter(|&(j, _)| side[j].is_none()) {
+                let lack = bound.product(&rest);
+                if above(lack, most_lacking.0) {
+                    most_lacking = (lack, Some((which, j, *bound)));
+                }
+            }
+        }
+        let Some((which, j, bound)) = most_lacking.1 else {
+            let found = |which: usize| {
+                array(|j| {
+                    if side[j] == Some(which) {
+                        u[j] / rest.least * far / sides[which][j].length()
+                    } else {
+                        zero
+                    }
+                })
+            };
+            return above(rest.least, rounding()).then(|| [found(0), found(1)]);
         };
-        enters[j] = true;
+        put(&mut own, j, bound);
+        put(&mut side, j, Some(which));
         // Goes back to where the first of them is zero, as long as one would be negative.
-        while enters.contains(&true) {
-            let next = among(&gram, &asked, &enters)?;
+        loop {
+            let enters = side.each(|side: Option<usize>| side.is_some());
+            let next;
+            (next, rest) = among(&own, &enters)?;
             let first = (0..C).filter(|&j| enters[j] && !next[j].is_positive());
             let first = first.fold(None, |first: Option<(usize, R)>, j| {
                 let share = if u[j].is_positive() { u[j] / (u[j] - next[j]) } else { zero };
@@ -62,55 +121,64 @@ pub(super) fn nearest<R: Real, const C: usize>(
             for (u, next) in u.iter_mut().zip(next) {
                 *u += share * (next - *u);
             }
-            (enters[leaves], u[leaves]) = (false, zero);
+            (side[leaves], u[leaves]) = (None, zero);
         }
     }
     None
 }
 
-/// The u with Σ gram u = `wanted` in the rows that enter, and zero in all others; `None` where these rows
-/// depend on each other. The matrix is positive definite, so that elimination needs no exchange of rows.
-fn among<R: Real, const C: usize>(gram: &[[R; C]; C], wanted: &[R; C], enters: &[bool; C]) -> Option<[R; C]> {
-    let count = enters.iter().filter(|&&enters| enters).count();
-    let ulps = R::from_f64(2.0 * count as f64) * R::epsilon();
-    let (mut left, mut right) = (*gram, *wanted);
-    for (k, _) in enters.iter().enumerate().filter(|(_, enters)| **enters) {
-        let size = gram.iter().zip(enters).filter(|(_, enters)| **enters);
-        let size = size.fold(R::zero(), |sum, (row, _)| sum + entry(row, k).abs());
-        let (above_it, own) = (left.get(k).copied()?, entry(&right, k));
-        let pivot = entry(&above_it, k);
-        if !above(pivot, ulps * size) {
+/// The u of the bounds that enter with the least |Σ uⱼ (pⱼ, dⱼ) − (0, 1)|, and what is left of (0, 1); `None`
+/// where these bounds depend on each other. By Gram and Schmidt's method, each step twice.
+fn among<R: Real, const C: usize>(
+    bounds: &[Bound<R, C>; C],
+    enters: &[bool; C],
+) -> Option<([R; C], Bound<R, C>)> {
+    let zero = R::zero();
+    let mut across = [Bound::none(); C];
+    let (mut triangle, mut parts) = ([[zero; C]; C], [zero; C]);
+    let mut rest = Bound { least: R::one(), ..Bound::none() };
+    let entering = || (0..C).filter(|&j| enters[j]);
+    for j in entering() {
+        let mut own = bounds[j];
+        for _ in 0..2 {
+            for i in entering().take_while(|&i| i < j) {
+                let part = across[i].product(&own);
+                own = own.plus(-part, &across[i]);
+                triangle[i][j] += part;
+            }
+        }
+        let length = own.product(&own).sqrt();
+        if !above(length, R::epsilon()) {
             return None;
         }
-        let inverse = pivot.recip();
-        let later = left.iter_mut().zip(&mut right).zip(enters).skip(k + 1);
-        for ((row, right), _) in later.filter(|(_, enters)| **enters) {
-            let share = entry(row, k) * inverse;
-            let entries = row.iter_mut().zip(&above_it).zip(enters).skip(k + 1);
-            for ((x, &above_it), _) in entries.filter(|(_, enters)| **enters) {
-                *x -= share * above_it;
-            }
-            *right -= share * own;
+        triangle[j][j] = length;
+        across[j] = Bound::none().plus(length.recip(), &own);
+        for _ in 0..2 {
+            let part = across[j].product(&rest);
+            rest = rest.plus(-part, &across[j]);
+            parts[j] += part;
         }
     }
-    let mut u = [R::zero(); C];
-    for (i, (row, &right)) in left.iter().zip(&right).enumerate().rev() {
-        if enters.get(i) == Some(&true) {
-            let known = row.iter().zip(&u).skip(i + 1).fold(right, |rest, (&x, &u)| rest - x * u);
-            put(&mut u, i, known / entry(row, i));
-        }
+    let mut u = [zero; C];
+    for i in entering().rev() {
+        let known = entering().filter(|&j| j > i).fold(parts[i], |known, j| known - triangle[i][j] * u[j]);
+        u[i] = known / triangle[i][i];
     }
-    Some(u)
+    Some((u, rest))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn bounds_of<const C: usize>(rows: [[f64; C]; C], least: [f64; C]) -> [Bound<f64, C>; C] {
+        array(|j| Bound { row: rows[j], last: 0.0, least: least[j] })
+    }
+
     #[track_caller]
     fn close<const C: usize>(rows: [[f64; C]; C], bounds: [f64; C], x: [f64; C]) {
-        let y = nearest(&rows, &[0.0; C], &bounds).unwrap();
-        assert!(y.iter().all(|&y| y >= 0.0), "{y:?}");
+        let [y, none] = nearest([&bounds_of(rows, bounds), &[Bound::none(); C]]).unwrap();
+        assert!(none == [0.0; C] && y.iter().all(|&y| y >= 0.0), "{y:?}");
         for (i, &wanted) in x.iter().enumerate() {
             let found: f64 = (0..C).map(|j| y[j] * rows[j][i]).sum();
             assert!((found - wanted).abs() < 1e-12 * (1.0 + wanted.abs()), "{found} instead of {wanted}");
@@ -151,6 +219,34 @@ mod tests {
 
     #[test]
     fn bounds_that_contradict_have_no_point() {
-        assert_eq!(nearest(&[[1.0, 0.0], [-1.0, 0.0]], &[0.0; 2], &[1.0, 1.0]), None);
+        let own = bounds_of([[1.0, 0.0], [-1.0, 0.0]], [1.0, 1.0]);
+        assert!(nearest([&own, &[Bound::none(); 2]]).is_none());
+    }
+
+    #[test]
+    fn a_friction_is_bounded_on_both_sides() {
+        // |x₁| ≤ x₀, with a force of each sign.
+        for force in [2.0, -2.0] {
+            let own = bounds_of([[1.0, -1.0, 0.0], [0.0, 1.0, 1.0], [0.0, -1.0, -1.0]], [0.0, force, -force]);
+            let back = bounds_of([[1.0, 1.0, 0.0], [0.0; 3], [0.0; 3]], [0.0; 3]);
+            let found = nearest([&own, &back]).unwrap();
+            let x: [f64; 3] =
+                array(|i| (0..3).map(|j| found[0][j] * own[j].row[i] + found[1][j] * back[j].row[i]).sum());
+            let wanted = [2.0 / 3.0, force / 3.0, 2.0 * force / 3.0];
+            assert!(x.iter().zip(wanted).all(|(x, wanted)| (x - wanted).abs() < 1e-14), "{x:?}");
+        }
+    }
+
+    #[test]
+    fn bounds_that_almost_contradict_have_a_point() {
+        // x₀ ≥ 1, x₁ ≥ 1 and x₀ + x₁ ≤ 2 + distance, and the same turned by an angle.
+        for distance in [1e-6, 1e-9, 1e-12, 1e-14, -1e-12] {
+            let (s, c) = 0.3_f64.sin_cos();
+            let turned = |[x, y]: [f64; 2]| [c * x - s * y, s * x + c * y, 0.0];
+            let rows = [turned([1.0, 0.0]), turned([0.0, 1.0]), turned([-1.0, -1.0])];
+            let own = bounds_of(rows, [1.0, 1.0, -2.0 - distance]);
+            let found = nearest([&own, &[Bound::none(); 3]]);
+            assert_eq!(found.is_some(), distance > 0.0, "{distance}");
+        }
     }
 }

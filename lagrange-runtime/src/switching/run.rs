@@ -4,6 +4,7 @@ use super::guards::Guard;
 use super::hybrid::{Memory, sum};
 use super::kinks::{followed, jumped};
 use super::known::Known;
+use super::memory::HybridMemory;
 use super::place::Event;
 use super::scene::{Scene, Status, most};
 use super::standstill::is_at_rest;
@@ -282,7 +283,7 @@ where
     fn passed(&mut self, from: S::Scalar, to: S::Scalar) -> bool {
         let has_passed = is_beyond_rounding(from, to);
         if has_passed {
-            (self.memory.flips, self.memory.changes, self.memory.opened) = ([0; W], 0, [false; C]);
+            self.memory.forget_changes();
         }
         has_passed
     }
@@ -319,13 +320,15 @@ where
         {
             (fired, regime_ends) = (None, false);
         }
+        self.memory.note_end(&S::ROWS, fired);
         if S::Scalar::PARTS > 1 {
             self.complete(guard, &mut event.accelerations, state.t);
             event.go_back();
         }
         // What has held is at rest, whatever the roundings of its rate are. At a kink the rate may jump.
         let rested = if fired.is_some() { present.active } else { [false; C] };
-        let known = Known { fired, rested, opened: self.memory.opened, ..Known::new(present.active) };
+        let HybridMemory { opened, ended, .. } = *self.memory;
+        let known = Known { fired, rested, opened, ended, ..Known::new(present.active) };
         let go_beyond = |state: &mut State<S::Scalar, N>, a: &[S::Scalar; N]| {
             shift(state, a, beyond);
             state.t += beyond;

@@ -2,6 +2,7 @@
 
 use num_traits::Zero;
 
+use super::ended::Ended;
 use super::known::Known;
 use super::scales::Scales;
 pub(super) use super::scales::{above, most, rounding};
@@ -84,6 +85,8 @@ where
     pub(super) is_closed: [bool; C],
     /// Contacts that have opened at this time, and frictions that have let go.
     pub(super) opened: [bool; C],
+    /// Regimes that have ended at this time.
+    pub(super) ended: Ended<C>,
     /// Sizes of rates and slip velocities.
     pub(super) speeds: [S::Scalar; C],
     /// The part of them that a slip in two directions has to exceed for its direction to be known.
@@ -128,6 +131,7 @@ where
             status: [Status::Apart; C],
             is_closed: [false; C],
             opened: known.opened,
+            ended: known.ended,
             speeds,
             lost: scales.lost(),
             gradients,

@@ -5,10 +5,10 @@
 //! the ones of least Σ λ² are taken, as for constraints that depend on each other.
 
 use super::choice::{Choice, is_limit};
-use super::nearest::nearest;
+use super::nearest::{Bound, nearest};
 use super::scene::{Scene, Status, Sticking, above, against, entry, extent, most, product, rounding};
 use super::sided::laws_on;
-use super::turning::TURNS;
+use super::turning::{TURNS, has_pairs};
 use super::{Coefficients, Regime, Row, Switching};
 use crate::linear::{SaddlePoint, Switched};
 use crate::number::elements::array;
@@ -125,28 +125,40 @@ where
         let base = project(known);
         let size = product(known, known).sqrt();
         let mut toward = base;
-        for turn in 0..2 * TURNS {
-            let (mut free, mut lacks) = ([[zero; C]; C], [zero; C]);
+        // Without slips in two directions the limits are planes, and one turn finds the nearest.
+        let turns = if const { has_pairs(&S::ROWS) } { 2 * TURNS } else { 1 };
+        for turn in 0..turns {
+            let mut sides = [[Bound::none(); C]; 2];
             for row in 0..C {
-                let Some((cut, bound)) = self.cut(row, bearing, &toward, sticking) else { continue };
-                let held = project(&cut);
-                let rest: [S::Scalar; C] = array(|i| cut[i] - held[i]);
-                let (length, lack) = (product(&cut, &cut).sqrt(), bound - product(&cut, &base));
-                let share = S::Scalar::epsilon().sqrt();
-                if above(product(&rest, &rest).sqrt(), share * length) {
-                    (free[row], lacks[row]) = (rest, lack);
-                } else if above(lack, share * (length * size + bound.abs())) {
-                    // The motion determines this reaction, so that no other one takes its place.
-                    return None;
+                let cuts = self.cuts(row, bearing, &toward, sticking);
+                for (side, (cut, bound)) in
+                    sides.iter_mut().zip(cuts).filter_map(|(side, cut)| Some((side, cut?)))
+                {
+                    let held = project(&cut);
+                    let rest: [S::Scalar; C] = array(|i| cut[i] - held[i]);
+                    let (length, lack) = (product(&cut, &cut).sqrt(), bound - product(&cut, &base));
+                    let share = S::Scalar::epsilon().sqrt();
+                    if above(product(&rest, &rest).sqrt(), share * length) {
+                        side[row] = Bound { row: rest, last: zero, least: lack };
+                    } else if above(lack, share * (length * size + bound.abs())) {
+                        // The motion determines this reaction, so that no other one takes its place.
+                        return None;
+                    }
                 }
             }
-            let pushes = nearest(&free, &[zero; C], &lacks)?;
-            let found: [S::Scalar; C] =
-                array(|i| free.iter().zip(&pushes).fold(base[i], |sum, (row, &push)| sum + push * row[i]));
+            let pushes = nearest([&sides[0], &sides[1]])?;
+            let mut found = base;
+            for (side, pushes) in sides.iter().zip(&pushes) {
+                for (bound, &push) in side.iter().zip(pushes) {
+                    found = array(|i| found[i] + push * bound.row[i]);
+                }
+            }
             let is_possible = (0..C).all(|row| {
-                let Some((cut, bound)) = self.cut(row, bearing, &found, sticking) else { return true };
-                let slack = product(&cut, &cut).sqrt() * size + bound.abs();
-                !above(bound - product(&cut, &found), rounding::<S::Scalar>() * slack)
+                let cuts = self.cuts(row, bearing, &found, sticking);
+                cuts.into_iter().flatten().all(|(cut, bound)| {
+                    let slack = product(&cut, &cut).sqrt() * size + bound.abs();
+                    !above(bound - product(&cut, &found), rounding::<S::Scalar>() * slack)
+                })
             });
             if is_possible {
                 // Pushes along cuts that hardly differ may be so large that their sum has no digits left.
@@ -170,9 +182,9 @@ where
             // A friction at its limit has the direction that it would have without the limit.
             let cuts: [_; C] = array(|row| self.cut(row, bearing, &toward, sticking));
             let mut next = found;
-            for (row, (cut, &push)) in cuts.iter().zip(&pushes).enumerate() {
-                if let (Row::Friction { pair, .. }, Some((cut, _))) = (S::ROWS[row], cut) {
-                    for own in [Some(row), pair].into_iter().flatten() {
+            for (row, (cut, &push)) in cuts.iter().zip(&pushes[0]).enumerate() {
+                if let (Row::Friction { pair: Some(other), .. }, Some((cut, _))) = (S::ROWS[row], cut) {
+                    for own in [row, other] {
                         if let (Some(next), Some(&part)) = (next.get_mut(own), cut.get(own)) {
                             *next -= push * part;
                         }
@@ -215,6 +227,24 @@ where
             }
         }
         rows
+    }
+
+    /// The limits of a row, those of a friction in one direction in both of its directions.
+    fn cuts(
+        &self,
+        row: usize,
+        bearing: &Regime<S::Scalar, C, W>,
+        multipliers: &[S::Scalar; C],
+        sticking: Sticking,
+    ) -> [Option<([S::Scalar; C], S::Scalar)>; 2] {
+        let one: S::Scalar = num_traits::One::one();
+        if !matches!(S::ROWS[row], Row::Friction { pair: None, .. }) {
+            return [self.cut(row, bearing, multipliers, sticking), None];
+        }
+        [one, -one].map(|way| {
+            let along = array(|other| if other == row { way } else { num_traits::Zero::zero() });
+            self.cut(row, bearing, &along, sticking)
+        })
     }
 
     /// The limit of a row: all multipliers whose product with the first is no less than the second. A

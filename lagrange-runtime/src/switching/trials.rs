@@ -43,6 +43,14 @@ impl Part {
             _ => Self::Off,
         }
     }
+
+    /// Those of all rows in a regime.
+    pub(super) fn all<R: Real, const C: usize, const W: usize>(
+        rows: &[Row; C],
+        regime: &Regime<R, C, W>,
+    ) -> [Self; C] {
+        array(|row| Self::of(row, rows[row], regime))
+    }
 }
 
 /// The possible activities of a row, the one to be tried first at the beginning.
