@@ -9,7 +9,7 @@
 //! to the centre and a reach more of margin, and all cuts of a cone that were active are kept as their mean
 //! (Kiwiel, *Methods of Descent for Nondifferentiable Optimization*, chapter 2).
 
-use super::nearest::{Bound, nearest};
+use super::nearest::{Bound, Nearest, nearest};
 use super::scene::{Scene, Sticking, above, entry, most, product};
 use super::turning::TURNS;
 use super::{Regime, Row, Switching};
@@ -123,12 +123,10 @@ where
                     Bound { row: free(cut), last: one, least }
                 })
             });
-            let Some([pushes, _]) = nearest([&limits, &[Bound::none(); C]]) else { return false };
+            let found = nearest([&limits, &[Bound::none(); C]]);
+            let Some(Nearest { pushes: [pushes, _], point: step }) = found else { return false };
             let rest = pushes.iter().fold(zero, |sum, &push| sum + push);
             predicted = reach - rest;
-            let step: [S::Scalar; C] = array(|i| {
-                limits.iter().zip(&pushes).fold(zero, |sum, (limit, &push)| sum + push * limit.row[i])
-            });
             point = array(|i| centre[i] + step[i]);
             // The mean of the active cuts bounds the margin by that of the centre, its error there, and its
             // slope times the distance, of which the size of the load is the measure.

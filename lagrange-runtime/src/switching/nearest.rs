@@ -59,12 +59,20 @@ impl<R: Real, const C: usize> Bound<R, C> {
     }
 }
 
-/// The y of the shortest x, one for each of two bounds of a row, of which one alone is not zero. `None` where
-/// there is no x, or none nearer than some 1/√[`rounding`] times the distance of the furthest bound.
+/// The nearest point.
+pub(super) struct Nearest<R, const C: usize> {
+    /// The y, one for each of two bounds of a row, of which one alone is not zero.
+    pub(super) pushes: [[R; C]; 2],
+    /// Its x, without the last entry. Bounds that hardly differ have large y, whose sum has fewer digits.
+    pub(super) point: [R; C],
+}
+
+/// The shortest x. `None` where there is none, or none nearer than some 1/√[`rounding`] times the distance of
+/// the furthest bound.
 ///
 /// Two bounds of a row are those of a friction in its two directions. Where both are met exactly, so is that
 /// of the reaction that limits it, so one of them is enough.
-pub(super) fn nearest<R: Real, const C: usize>(sides: [&[Bound<R, C>; C]; 2]) -> Option<[[R; C]; 2]> {
+pub(super) fn nearest<R: Real, const C: usize>(sides: [&[Bound<R, C>; C]; 2]) -> Option<Nearest<R, C>> {
     let zero = R::zero();
     let distance = |bound: &Bound<R, C>| {
         let length = bound.length();
@@ -72,7 +80,7 @@ pub(super) fn nearest<R: Real, const C: usize>(sides: [&[Bound<R, C>; C]; 2]) ->
     };
     let far = sides.iter().flat_map(|side| side.iter()).fold(zero, |far, bound| most(far, distance(bound)));
     if !far.is_positive() {
-        return Some([[zero; C]; 2]);
+        return Some(Nearest { pushes: [[zero; C]; 2], point: [zero; C] });
     }
     let units = sides.map(|side| side.each(|bound| bound.scaled(far)));
     // The bound of each row that enters, and its side.
@@ -91,16 +99,20 @@ pub(super) fn nearest<R: Real, const C: usize>(sides: [&[Bound<R, C>; C]; 2]) ->
             }
         }
         let Some((which, j, bound)) = most_lacking.1 else {
+            if !above(rest.least, rounding()) {
+                return None;
+            }
+            // x is 1/√rest long. With its own length for a unit of d, no digits are lost.
+            let unit = ((R::one() - rest.least) / rest.least).sqrt();
+            let own = own.each(|bound: Bound<R, C>| Bound { least: bound.least / unit, ..bound });
+            let (u, rest) = among(&own, &side.each(|side: Option<usize>| side.is_some()))?;
+            let factor = far * unit / rest.least;
             let found = |which: usize| {
-                array(|j| {
-                    if side[j] == Some(which) {
-                        u[j] / rest.least * far / sides[which][j].length()
-                    } else {
-                        zero
-                    }
-                })
+                let enters = |j: usize| side[j] == Some(which);
+                array(|j| if enters(j) { factor * u[j] / sides[which][j].length() } else { zero })
             };
-            return above(rest.least, rounding()).then(|| [found(0), found(1)]);
+            let point = rest.row.each(|x: R| -x * (far * unit / rest.least));
+            return Some(Nearest { pushes: [found(0), found(1)], point });
         };
         put(&mut own, j, bound);
         put(&mut side, j, Some(which));
@@ -177,11 +189,14 @@ mod tests {
 
     #[track_caller]
     fn close<const C: usize>(rows: [[f64; C]; C], bounds: [f64; C], x: [f64; C]) {
-        let [y, none] = nearest([&bounds_of(rows, bounds), &[Bound::none(); C]]).unwrap();
+        let Nearest { pushes: [y, none], point } =
+            nearest([&bounds_of(rows, bounds), &[Bound::none(); C]]).unwrap();
         assert!(none == [0.0; C] && y.iter().all(|&y| y >= 0.0), "{y:?}");
         for (i, &wanted) in x.iter().enumerate() {
             let found: f64 = (0..C).map(|j| y[j] * rows[j][i]).sum();
-            assert!((found - wanted).abs() < 1e-12 * (1.0 + wanted.abs()), "{found} instead of {wanted}");
+            for found in [found, point[i]] {
+                assert!((found - wanted).abs() < 1e-12 * (1.0 + wanted.abs()), "{found} instead of {wanted}");
+            }
         }
     }
 
@@ -229,9 +244,7 @@ mod tests {
         for force in [2.0, -2.0] {
             let own = bounds_of([[1.0, -1.0, 0.0], [0.0, 1.0, 1.0], [0.0, -1.0, -1.0]], [0.0, force, -force]);
             let back = bounds_of([[1.0, 1.0, 0.0], [0.0; 3], [0.0; 3]], [0.0; 3]);
-            let found = nearest([&own, &back]).unwrap();
-            let x: [f64; 3] =
-                array(|i| (0..3).map(|j| found[0][j] * own[j].row[i] + found[1][j] * back[j].row[i]).sum());
+            let x = nearest([&own, &back]).unwrap().point;
             let wanted = [2.0 / 3.0, force / 3.0, 2.0 * force / 3.0];
             assert!(x.iter().zip(wanted).all(|(x, wanted)| (x - wanted).abs() < 1e-14), "{x:?}");
         }

@@ -5,7 +5,7 @@
 //! the ones of least Σ λ² are taken, as for constraints that depend on each other.
 
 use super::choice::{Choice, is_limit};
-use super::nearest::{Bound, nearest};
+use super::nearest::{Bound, Nearest, nearest};
 use super::scene::{Scene, Status, Sticking, above, against, entry, extent, most, product, rounding};
 use super::sided::laws_on;
 use super::turning::{TURNS, has_pairs};
@@ -146,13 +146,10 @@ where
                     }
                 }
             }
-            let pushes = nearest([&sides[0], &sides[1]])?;
-            let mut found = base;
-            for (side, pushes) in sides.iter().zip(&pushes) {
-                for (bound, &push) in side.iter().zip(pushes) {
-                    found = array(|i| found[i] + push * bound.row[i]);
-                }
-            }
+            let Nearest { pushes, point } = nearest([&sides[0], &sides[1]])?;
+            // Bounds that hardly differ make their rounding errors large, and with them what changes the motion.
+            let held = project(&point);
+            let found: [S::Scalar; C] = array(|i| base[i] + (point[i] - held[i]));
             let is_possible = (0..C).all(|row| {
                 let cuts = self.cuts(row, bearing, &found, sticking);
                 cuts.into_iter().flatten().all(|(cut, bound)| {
@@ -161,12 +158,6 @@ where
                 })
             });
             if is_possible {
-                // Pushes along cuts that hardly differ may be so large that their sum has no digits left.
-                let again = project(&found);
-                let lost: [S::Scalar; C] = array(|row| again[row] - base[row]);
-                if above(product(&lost, &lost).sqrt(), S::Scalar::epsilon().sqrt() * size) {
-                    return None;
-                }
                 return Some(array(|row| match S::ROWS[row] {
                     Row::Unilateral => most(found[row], zero),
                     _ => found[row],

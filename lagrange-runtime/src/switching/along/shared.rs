@@ -26,9 +26,6 @@ const HALVINGS: usize = 64;
 /// for.
 const LOOKS: usize = 8;
 
-/// The distances, as parts of a step, of places on both sides of one at which shares are looked for as well.
-const BESIDE: [f64; 3] = [1.0 / (1 << 30) as f64, 1.0 / (1 << 28) as f64, 1.0 / (1 << 26) as f64];
-
 /// How to tell whether shares are possible.
 #[derive(Clone, Copy)]
 enum Way {
@@ -92,16 +89,7 @@ where
         let has_cones = const { has_pairs(&S::ROWS) };
         let is_within = has_cones && self.holds(self.start, Way::ByMargin);
         let way = if is_within { Way::ByMargin } else { Way::AsChosen };
-        let at = |place: S::Scalar| self.holds(&course.at(self.start, place)[0], way);
-        // A search for shares that does not end at one place does beside it. At the place where the last
-        // shares are lost, one of its two neighbours has none.
-        let holds = |place: S::Scalar| {
-            at(place)
-                || BESIDE.into_iter().any(|part| {
-                    let [before, after] = [place - number(part) * until, place + number(part) * until];
-                    before >= zero && at(before) && at(after)
-                })
-        };
+        let holds = |place: S::Scalar| self.holds(&course.at(self.start, place)[0], way);
         let mut low = zero;
         let between = |mut low: S::Scalar, mut high: S::Scalar| {
             for _ in 0..HALVINGS {
