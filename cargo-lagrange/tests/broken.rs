@@ -260,6 +260,29 @@ fn every_mistake_of_mjcf_has_its_place() {
             body("<joint name=\"j\"/>") + "<actuator><motor joint=\"j\" armature=\"0.1\"/></actuator>",
             "`armature` of an actuator is left out; give it to the joint",
         ),
+        (
+            body("<joint name=\"j\"/>")
+                + "<actuator><motor joint=\"j\" delay=\"0.1\" nsample=\"3\"/></actuator>",
+            "`delay` is left out: an input acts at once",
+        ),
+        (
+            body("<joint/>") + "<option actuatorgroupdisable=\"1\"/>",
+            "`actuatorgroupdisable` is left out: give the inputs of these groups zeros",
+        ),
+        (
+            body("<joint name=\"j\"/>")
+                + "<default><general armature=\"0.1\"/></default><actuator><motor joint=\"j\"/></actuator>",
+            "`armature` of an actuator is left out; give it to the joint",
+        ),
+        (
+            body("<freejoint name=\"f\"/>") + "<actuator><motor joint=\"f\"/></actuator>",
+            "`f` moves freely; name a joint of one coordinate",
+        ),
+        (
+            body("<freejoint align=\"true\"/>"),
+            "align=\"true\" moves the frame of the body, and is not read; MuJoCo writes",
+        ),
+        (body("<joint name=\"j\"/>"), "warning: nothing with a mass hangs on j: the mass matrix is singular"),
         (body("<joint pso=\"0 0 1\"/>"), "`pso` is no attribute of <joint>, or did you mean `pos`?"),
         (
             body("<jiont/>"),

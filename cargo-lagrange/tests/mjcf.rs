@@ -48,3 +48,55 @@ fn a_shape_between_two_points_has_one_width() {
         assert_ne!(of(".02"), one);
     }
 }
+
+/// The description of two joints with this beside the bodies.
+fn tied(beside: &str) -> String {
+    let text = format!(
+        "<mujoco>{beside}<worldbody><body name=\"one\"><joint name=\"a\"/><geom {BALL}/><body name=\"two\">
+         <joint name=\"b\"/><geom {BALL}/></body></body></worldbody></mujoco>"
+    );
+    import("m.xml", &text, &Options::default()).unwrap_or_else(|report| panic!("{report}")).text
+}
+
+/// As `mj_loadXML` of MuJoCo 3 has it.
+#[test]
+fn defaults_are_those_of_a_family_of_elements() {
+    let driven = |defaults: &str| {
+        tied(&format!("<default>{defaults}</default><actuator><motor name=\"m\" joint=\"a\"/></actuator>"))
+    };
+    let plain = driven("");
+    let twice = driven("<motor gear=\"2\"/>");
+    assert_ne!(twice, plain);
+    assert_eq!(driven("<general gear=\"2\"/>"), twice);
+    assert_eq!(driven("<motor gear=\"3\"/><position gear=\"2\"/>"), twice);
+
+    let equal = |defaults: &str, more: &str| {
+        tied(&format!(
+            "<default>{defaults}</default><equality><joint joint1=\"b\" joint2=\"a\" {more}/></equality>"
+        ))
+    };
+    let inactive = "<equality active=\"false\"/>";
+    assert_eq!(equal(inactive, ""), tied(""));
+    assert_ne!(equal("", ""), tied(""));
+    assert_eq!(equal(inactive, "active=\"true\""), equal("", ""));
+    // What a list lacks is that of `0 1 0 0 0`.
+    assert_eq!(equal("", "polycoef=\"0.3\""), equal("", "polycoef=\"0.3 1 0 0 0\""));
+}
+
+#[test]
+fn a_given_inertia_counts_where_no_geom_has_a_mass() {
+    let of = |compiler: &str, geoms: &str| {
+        let text = format!(
+            "<mujoco><compiler {compiler}/><worldbody><body name=\"arm\"><joint name=\"turn\"/>
+             <inertial mass=\"2\" pos=\".2 0 0\" diaginertia=\".1 .1 .1\"/>{geoms}</body></worldbody></mujoco>"
+        );
+        import("m.xml", &text, &Options::default()).unwrap_or_else(|report| panic!("{report}")).text
+    };
+    let given = of("", "");
+    let geom = format!("<geom {BALL}/>");
+    assert_eq!(of("", &geom), given);
+    assert_eq!(of("inertiafromgeom=\"false\"", &geom), given);
+    assert_eq!(of("inertiafromgeom=\"true\"", ""), given);
+    assert_eq!(of("inertiafromgeom=\"true\"", &format!("<geom mass=\"0\" {BALL}/>")), given);
+    assert_ne!(of("inertiafromgeom=\"true\"", &geom), given);
+}

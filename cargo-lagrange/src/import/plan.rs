@@ -292,8 +292,8 @@ impl Plan {
             .map(|joint| &*joint.name)
             .collect();
         if !massless.is_empty() {
-            sink.note(format!(
-                "warning: nothing with a mass hangs on {}: the mass matrix is singular",
+            sink.caution(format!(
+                "nothing with a mass hangs on {}: the mass matrix is singular",
                 list(massless)
             ));
         }

@@ -62,6 +62,11 @@ impl Sink {
         self.notes.push(format!("warning: {file}:{row}:{col}: {}: {}", at.element, text.as_ref()));
     }
 
+    /// The same of the whole, which has no place in the file.
+    pub fn caution(&mut self, text: impl AsRef<str>) {
+        self.notes.push(format!("warning: {}", text.as_ref()));
+    }
+
     /// Something that was decided.
     pub fn note(&mut self, text: impl AsRef<str>) {
         self.notes.push(format!("note: {}", text.as_ref()));

@@ -10,6 +10,7 @@ use crate::import::geometry::{
     Angle, Matrix, Pose, Rotation, cross, direction, dot, norm, scaled, sub, transposed,
 };
 use crate::import::links;
+use crate::import::schema::mjcf::ACTUATORS;
 use crate::import::xml::{Reader, children};
 
 /// An element of the file.
@@ -77,7 +78,6 @@ impl<'a> Attributes<'a> {
         if node.has_attribute(attribute) {
             return Some(node);
         }
-        let tag = node.tag_name().name();
         let around = || node.ancestors().skip(1).find_map(|body| body.attribute("childclass"));
         let own = node.attribute("class");
         let mut class = Some(own.or_else(around).unwrap_or(MAIN).to_owned());
@@ -93,7 +93,8 @@ impl<'a> Attributes<'a> {
         while let Some(name) = class {
             let (defaults, around) = self.classes.get(&name)?;
             // A later element of the defaults overrides an earlier one.
-            let found = children(*defaults, tag).filter(|defaults| defaults.has_attribute(attribute)).last();
+            let same = defaults.children().filter(|defaults| shares_defaults(*defaults, node));
+            let found = same.filter(|defaults| defaults.has_attribute(attribute)).last();
             if found.is_some() {
                 return found;
             }
@@ -234,6 +235,17 @@ fn about(axis: [f64; 3], angle: Angle) -> Rotation {
         (true, Angle::Quarters(quarters)) => Rotation::about(axis.map(f64::abs), Angle::Quarters(-quarters)),
         (true, Angle::Radians(radians)) => Rotation::about(axis.map(f64::abs), Angle::Radians(-radians)),
         (false, _) => Rotation::about(axis, angle),
+    }
+}
+
+/// Whether an element of defaults is for another element: those of all actuators are the same, and those of
+/// all equalities.
+fn shares_defaults(defaults: Element<'_>, node: Element<'_>) -> bool {
+    let (own, tag) = (defaults.tag_name().name(), node.tag_name().name());
+    match node.parent().map(|list| list.tag_name().name()) {
+        Some("actuator") => ACTUATORS.contains(&own),
+        Some("equality") => own == "equality",
+        _ => own == tag,
     }
 }
 

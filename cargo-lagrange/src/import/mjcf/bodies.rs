@@ -210,17 +210,22 @@ impl<'r, 'a> Bodies<'r, 'a> {
         let compiler = body.document().root_element().children().filter(|node| node.has_tag_name("compiler"));
         let from_geoms =
             compiler.filter_map(|node| node.attribute("inertiafromgeom")).next_back().unwrap_or("auto");
-        let given = child(body, "inertial").filter(|_| from_geoms != "true");
-        if let Some(node) = given {
-            let Some((inertial, doubtful)) = self.given(node) else { return (Vec::new(), None) };
-            return (vec![inertial], doubtful);
-        }
-        if from_geoms == "false" {
-            return (Vec::new(), None);
-        }
+        let given = child(body, "inertial");
+        let reads_geoms = match from_geoms {
+            "true" => true,
+            "false" => false,
+            _ => given.is_none(),
+        };
         let (reader, attributes, options) = (&mut *self.reader, self.attributes, self.options);
-        let geoms = children(body, "geom");
-        (geoms.filter_map(|node| geom::inertial(reader, attributes, node, options)).collect(), None)
+        let geoms = children(body, "geom").filter(|_| reads_geoms);
+        let of_geoms: Vec<Inertial> =
+            geoms.filter_map(|node| geom::inertial(reader, attributes, node, options)).collect();
+        // Where no geom has a mass, what is given counts in any case.
+        match given.filter(|_| of_geoms.iter().all(|geom| geom.mass == 0.0)).and_then(|node| self.given(node))
+        {
+            Some((inertial, doubtful)) => (vec![inertial], doubtful),
+            None => (of_geoms, None),
+        }
     }
 
     fn given(&mut self, node: Element<'a>) -> Option<(Inertial, Option<Doubtful>)> {
@@ -256,6 +261,6 @@ fn joint(
     Joint { name, mark, parent, child, pose, back, kind, action, mimic: None, drives: Vec::new() }
 }
 
-fn is_free(node: Node<'_, '_>) -> bool {
+pub fn is_free(node: Node<'_, '_>) -> bool {
     node.has_tag_name("freejoint") || (node.has_tag_name("joint") && node.attribute("type") == Some("free"))
 }

@@ -21,6 +21,10 @@ pub fn read<'a>(reader: &mut Reader<'a>, root: Node<'a, 'a>, options: &Options) 
     let mut gravity = [0.0, 0.0, -9.81];
     for option in children(root, "option") {
         gravity = reader.vector(option, "gravity").unwrap_or(gravity);
+        if option.attribute("actuatorgroupdisable").is_some_and(|groups| !groups.trim().is_empty()) {
+            let text = "`actuatorgroupdisable` is left out: give the inputs of these groups zeros";
+            reader.warning(option, text);
+        }
         for medium in ["wind", "density", "viscosity"] {
             if reader
                 .numbers(option, medium)
@@ -84,6 +88,13 @@ impl<'a> Mjcf<'_, 'a> {
                     self.reader.warning(node, text);
                 }
             }
+            for attribute in ["delay", "nsample"] {
+                let given = self.attributes.number(self.reader, node, attribute);
+                if given.is_some_and(|number| number != 0.0) {
+                    let text = format!("`{attribute}` is left out: an input acts at once");
+                    self.reader.warning(node, text);
+                }
+            }
             let drive = Drive {
                 name: node.attribute("name").map(str::to_owned),
                 gear: gear.unwrap_or(1.0),
@@ -99,12 +110,15 @@ impl<'a> Mjcf<'_, 'a> {
 
     fn equalities(&mut self, root: Element<'a>) {
         for node in children(root, "equality").flat_map(|list| list.children().filter(Node::is_element)) {
-            if node.attribute("active") == Some("false") {
+            if self.attributes.text(self.reader, node, "active") == Some("false") {
                 continue;
             }
             let kind = node.tag_name().name();
-            let polynomial = self.attributes.numbers(self.reader, node, "polycoef").unwrap_or(vec![0.0, 1.0]);
-            let is_linear = polynomial.iter().skip(2).all(|factor| *factor == 0.0);
+            let written = self.attributes.numbers(self.reader, node, "polycoef").unwrap_or_default();
+            let factor = |index: usize| written.get(index).copied();
+            // What a short list lacks has its default.
+            let [constant, multiplier] = [factor(0).unwrap_or(0.0), factor(1).unwrap_or(1.0)];
+            let is_linear = written.iter().skip(2).all(|factor| *factor == 0.0);
             if kind != "joint" || !is_linear {
                 let what =
                     if kind == "joint" { "a polynomial in <joint>".to_owned() } else { format!("<{kind}>") };
@@ -123,9 +137,7 @@ impl<'a> Mjcf<'_, 'a> {
                     .warning(node, "a joint that is tied to a value is left out; fix the body instead");
                 continue;
             };
-            let factor = |index: usize| polynomial.get(index).copied().unwrap_or(0.0);
             let reference = |joint: usize| self.robot.joints[joint].action.reference;
-            let (multiplier, constant) = (factor(1), factor(0));
             let offset = constant + reference(first) - multiplier * reference(second);
             self.robot.joints[first].mimic = Some(Mimic { of: second, multiplier, offset });
         }
@@ -138,6 +150,9 @@ impl<'a> Mjcf<'_, 'a> {
         let text = match found {
             Some(joint) if joints[joint].kind.freedom() == 1 => return found,
             Some(_) => format!("`{name}` is neither a hinge nor a slide; name a joint of one coordinate"),
+            None if self.moves_freely(node, name) => {
+                format!("`{name}` moves freely; name a joint of one coordinate")
+            }
             None => {
                 let near = links::near(name, joints.iter().map(|joint| joint.name.as_str()));
                 format!("`{name}` is no joint of the file{near}")
@@ -145,6 +160,12 @@ impl<'a> Mjcf<'_, 'a> {
         };
         self.reader.problem_of(node, attribute, text);
         None
+    }
+
+    /// Whether this is the name of a free joint: that of the only one names nothing in the description.
+    fn moves_freely(&self, node: Element<'a>, name: &str) -> bool {
+        let mut all = node.document().descendants();
+        all.any(|joint| bodies::is_free(joint) && joint.attribute("name") == Some(name))
     }
 }
 
@@ -169,6 +190,10 @@ fn refused(reader: &mut Reader<'_>, root: Node<'_, '_>) {
         let tag = node.tag_name().name();
         if matches!(tag, "include" | "attach" | "replicate" | "composite" | "flexcomp" | "frame") {
             reader.problem(node, format!("<{tag}> is not read; {WHOLE}"));
+        }
+        if tag == "freejoint" && node.attribute("align") == Some("true") {
+            let text = format!("align=\"true\" moves the frame of the body, and is not read; {WHOLE}");
+            reader.problem_of(node, "align", text);
         }
         if node.has_attribute("springdamper") {
             reader.problem_of(

@@ -276,9 +276,13 @@ static ACTUATOR: Element = Element {
     passed: &["plugin", "include"],
 };
 
+/// The kinds of actuators.
+pub const ACTUATORS: [&str; 9] =
+    ["general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "adhesion"];
+
 /// All kinds of actuators, whose attributes stand together.
 static DRIVE: Element = Element::leaf(
-    &["general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "adhesion"],
+    &ACTUATORS,
     &[
         "name",
         "class",
