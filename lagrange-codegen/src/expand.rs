@@ -114,8 +114,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
         return None;
     }
     let events: Vec<NodeId> = model.events.iter().map(|event| event.value).collect();
-    let in_events: Vec<_> =
-        events.iter().map(|&event| jets::hidden_beside(&mut model.graph, &[event], &[])).collect();
+    let in_events: Vec<_> = events.iter().map(|&event| jets::Watched::of(&mut model.graph, event)).collect();
     let (hidden, jets) = jets::derive(&mut model, solved, &[]);
     let orders = jets.as_ref().map(|jets| Expansions::plan(&mut model, solved, &solution, jets));
     contacts_stand_alone(item, &model, diagnostics);

@@ -27,30 +27,43 @@ pub(super) fn events(emission: &Emission<'_>) -> Items {
     }
     let (item, state) = (emission.item, emission.state_type());
     let mut methods = String::new();
-    let (mut arms, mut narrow) = (Vec::new(), Vec::new());
-    for (event, hidden) in events.iter().zip(emission.in_events) {
-        let method = format_ident!("__event_{}", event.name);
+    let (mut arms, mut narrow, mut kinked) = (Vec::new(), Vec::new(), Vec::new());
+    let number = emission.scalar.to_string();
+    let method = |name: &str, returned: &str, body: String| {
+        format!(
+            "#[doc(hidden)]\n#[inline]\n#[allow(unused_variables)]\n\
+             pub fn {name}(&self, state: &{state}) -> {returned} {{\n{body}\n}}\n"
+        )
+    };
+    for (event, watched) in events.iter().zip(emission.in_events) {
+        let value = format_ident!("__event_{}", event.name);
         let body = body::plain(emission.model, &emission.scalar, &[event.value], Source::State, |values| {
             values.join(", ")
         });
-        methods.push_str(&format!(
-            "#[doc(hidden)]\n#[inline]\n#[allow(unused_variables)]\npub fn {method}(&self, state: &{state}) -> {} {{\n{body}\n}}\n",
-            emission.scalar
-        ));
+        methods.push_str(&method(&value.to_string(), &number, body));
         let variant = format_ident!("{}", camel(&event.name));
-        let visits = format!("{method}_hidden");
-        if let Some(text) = hidden::in_event(emission, hidden.as_ref(), &visits) {
+        let visits = format!("{value}_hidden");
+        if let Some(text) = hidden::in_event(emission, watched.hidden.as_ref(), &visits) {
             methods.push_str(&text);
             let visits = format_ident!("{visits}");
             narrow.push(quote!(Self::#variant => system.#visits(states, visit)));
         }
-        arms.push(quote!(Self::#variant => system.#method(state)));
+        if !watched.kinks.is_empty() {
+            let (kinks, count) = (format_ident!("{value}_kinks"), watched.kinks.len());
+            let body =
+                body::plain(emission.model, &emission.scalar, &watched.kinks, Source::State, |values| {
+                    values.list()
+                });
+            methods.push_str(&method(&kinks.to_string(), &format!("[{number}; {count}]"), body));
+            kinked.push(quote!(Self::#variant => system.#kinks(state).get(kink).copied()));
+        }
+        arms.push(quote!(Self::#variant => system.#value(state)));
     }
     let names: Vec<&str> = events.iter().map(|event| event.name.as_str()).collect();
     let (scalar, count) = (scalar(item), emission.count());
+    let self_ty = &item.self_ty;
     let narrow = (!narrow.is_empty()).then(|| {
         let rest = (narrow.len() < events.len()).then(|| quote!(_ => {}));
-        let self_ty = &item.self_ty;
         quote! {
             const NARROW: bool = true;
             fn hidden_along<const PLACES: usize>(
@@ -63,7 +76,20 @@ pub(super) fn events(emission: &Emission<'_>) -> Items {
             }
         }
     });
-    let guards = guard(item, count, &quote!(match self { #(#arms),* }), narrow);
+    let kinked = (!kinked.is_empty()).then(|| {
+        let rest = (kinked.len() < events.len()).then(|| quote!(_ => ::core::option::Option::None));
+        quote! {
+            fn kink(
+                &self,
+                system: &#self_ty,
+                state: &lagrange::State<#scalar, #count>,
+                kink: usize,
+            ) -> ::core::option::Option<#scalar> {
+                match self { #(#kinked,)* #rest }
+            }
+        }
+    });
+    let guards = guard(item, count, &quote!(match self { #(#arms),* }), quote!(#narrow #kinked));
     Items { methods, named: Some(named(item, &names)), guards: Some(guards) }
 }
 
@@ -72,7 +98,7 @@ pub(super) fn stubs(item: &Item, count: usize) -> (Option<TokenStream>, Option<T
     let is_event = |function: &&Function| matches!(function.meant(), Some(RoleKind::Event));
     let names: Vec<&str> = item.functions.iter().filter(is_event).map(|function| &*function.name).collect();
     let any = !names.is_empty();
-    (any.then(|| named(item, &names)), any.then(|| guard(item, count, &quote!(loop {}), None)))
+    (any.then(|| named(item, &names)), any.then(|| guard(item, count, &quote!(loop {}), TokenStream::new())))
 }
 
 /// The scalar of a system.
@@ -80,8 +106,9 @@ fn scalar(item: &Item) -> TokenStream {
     item.scalar.to_string().parse().unwrap_or_default()
 }
 
-/// The implementations that make the enum a guard. `narrow` are the items about functions that can hide.
-fn guard(item: &Item, count: usize, body: &TokenStream, narrow: Option<TokenStream>) -> TokenStream {
+/// The implementations that make the enum a guard. `watched` are the items about what
+/// samples may miss.
+fn guard(item: &Item, count: usize, body: &TokenStream, watched: TokenStream) -> TokenStream {
     let Item { self_ty, generics, .. } = item;
     let scalar = scalar(item);
     let (impl_generics, _, where_clause) = generics.split_for_impl();
@@ -94,7 +121,7 @@ fn guard(item: &Item, count: usize, body: &TokenStream, narrow: Option<TokenStre
             fn value(&self, system: &#self_ty, state: &lagrange::State<#scalar, #count>) -> #scalar {
                 #body
             }
-            #narrow
+            #watched
         }
     }
 }

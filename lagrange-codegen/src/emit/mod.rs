@@ -37,7 +37,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::diagnostics::Diagnostics;
-use crate::jets::{Hidden, Jets};
+use crate::jets::{Hidden, Jets, Watched};
 use crate::mechanics::Equations;
 use crate::model::{Constraint, Model};
 use crate::orders::Expansions;
@@ -69,8 +69,8 @@ pub(crate) struct Emission<'a> {
     pub solution: &'a Solution,
     /// What functions depend on that can hide from a step; `None` without such functions.
     pub hidden: Option<&'a Hidden>,
-    /// The same of each event.
-    pub in_events: &'a [Option<Hidden>],
+    /// What a search for each event has to know.
+    pub in_events: &'a [Watched],
     /// The recurrences of a smooth system.
     pub jets: Option<&'a Jets>,
     /// The operations of an order.

@@ -32,6 +32,7 @@ mod recurrence;
 mod rewriting;
 mod sides;
 mod steep;
+mod watched;
 
 use crate::expr::{Graph, NodeId};
 use crate::mechanics::Equations;
@@ -47,6 +48,7 @@ pub use recurrence::{Coefficient, Convolution, Jets, Operand, Series};
 use rewriting::{contract_angles, meet_flows};
 pub use sides::Switch;
 pub use steep::{Hidden, hidden_beside};
+pub use watched::Watched;
 
 /// The most convolutions whose outermost terms are kept out of the tables. The sweep over these terms would
 /// wait for the row just written; with more convolutions there is other work in between.

@@ -246,7 +246,7 @@ fn has_either_sign(graph: &Graph, node: NodeId) -> bool {
 }
 
 /// Whether a node changes with the state or with time, and is known there.
-fn is_known(graph: &Graph, node: NodeId) -> bool {
+pub(super) fn is_known(graph: &Graph, node: NodeId) -> bool {
     let moving = Dependence::COORDINATES.union(Dependence::VELOCITIES).union(Dependence::TIME);
     let dependence = graph.dependence(node);
     dependence.meets(moving) && !dependence.meets(Dependence::MULTIPLIERS)

@@ -27,6 +27,7 @@ use crate::system::method::Adaptive;
 use crate::system::state::State;
 
 mod interval;
+mod kinks;
 mod narrow;
 mod search;
 mod track;
@@ -58,6 +59,12 @@ pub trait Guard<S: ?Sized, R, const N: usize> {
         _states: &[State<R, N>; PLACES],
         _visit: impl FnMut(Hidden, [R; PLACES]),
     ) {
+    }
+
+    /// One of the functions at the zeros of which it has a kink or a jump; `None` if there are no more.
+    #[doc(hidden)]
+    fn kink(&self, _system: &S, _state: &State<R, N>, _kink: usize) -> Option<R> {
+        None
     }
 }
 

@@ -158,6 +158,13 @@ where
                 })
             });
             if is_possible {
+                // A point that is so far away that its rounding errors change the motion meets nothing.
+                let again = project(&found);
+                let lost: [S::Scalar; C] = array(|row| again[row] - base[row]);
+                let far = size + product(&found, &found).sqrt();
+                if above(product(&lost, &lost).sqrt(), rounding::<S::Scalar>() * far) {
+                    return None;
+                }
                 return Some(array(|row| match S::ROWS[row] {
                     Row::Unilateral => most(found[row], zero),
                     _ => found[row],

@@ -182,6 +182,8 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         let near = if from.abs() > R::from_f64(FAR) * end.abs() { from.abs() } else { end.abs() };
         let resolution = R::from_f64(RESOLVED) * R::epsilon() * near + step_size::smallest();
         let mut length = self.length.map_or(step, |length| smaller(length, step));
+        // A kink does not make the intervals behind it shorter.
+        let mut uncut = length;
         loop {
             let to = if length < step { from + ahead * length } else { end };
             let interval = Interval { from, to };
@@ -196,7 +198,7 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
             if let (true, Some(last)) = (leaps, smooth.last_mut()) {
                 *last = before;
             }
-            match self.look(motion, guards, interval, &smooth, strict) {
+            match self.look(motion, guards, interval, &smooth, (strict, resolution)) {
                 Ok(()) => (self.blind, self.leaps) = (0, leaps),
                 Err(Refused::Failed(error)) => return Err(error),
                 Err(Refused::TooLong(cause)) if length <= resolution => {
@@ -211,10 +213,16 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
                 Err(Refused::TooLong(_)) => {
                     spend(attempts, from)?;
                     length = larger(length * R::from_f64(0.5), resolution);
+                    uncut = length;
+                    continue;
+                }
+                Err(Refused::Beyond(part)) => {
+                    spend(attempts, from)?;
+                    length *= part;
                     continue;
                 }
             }
-            self.length = (length < step).then_some(length * R::from_f64(GROWTH));
+            self.length = (uncut < step).then_some(uncut * R::from_f64(GROWTH));
             [.., self.front] = states;
             self.interval = interval;
             for (track, guard) in self.tracks.iter_mut().zip(guards) {
@@ -275,7 +283,7 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         guards: &[G; E],
         interval: Interval<R>,
         states: &[State<R, N>; POINTS],
-        strict: bool,
+        (strict, resolution): (bool, R),
     ) -> Result<(), Refused<R>>
     where
         S: System<N, K, Scalar = R>,
@@ -285,7 +293,12 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
     {
         let blur = motion.event.filter(|[t, _]| *t == interval.from).map(|[_, blur]| blur);
         for (track, guard) in self.tracks.iter_mut().zip(guards) {
-            track.look(&mut Watched { motion: &mut *motion, guard }, interval, states, (blur, strict))?;
+            track.look(
+                &mut Watched { motion: &mut *motion, guard },
+                interval,
+                states,
+                (blur, strict, resolution),
+            )?;
         }
         Ok(())
     }

@@ -45,6 +45,8 @@ pub(super) struct Pending<R> {
 pub(super) enum Refused<R> {
     /// A shorter one may do.
     TooLong(Unresolved),
+    /// This part of it may do.
+    Beyond(R),
     /// The motion is not known there.
     Failed(MotionError<R>),
 }
@@ -101,13 +103,13 @@ impl<R: Ordered> Track<R> {
 
     /// Interpolates the guard on an interval. `blur` is the uncertainty of the time of its start, if an event
     /// led there. If `strict`, an interval on which the start drowns in the rounding errors of the end is too
-    /// long.
+    /// long. Kinks nearer to its ends than a `resolution` of time \[s] do not count.
     pub fn look<S, C, M, G, const N: usize, const K: usize>(
         &mut self,
         watched: &mut Watched<'_, '_, S, C, M, G, N, K>,
         interval: Interval<R>,
         states: &[State<R, N>; POINTS],
-        (blur, strict): (Option<R>, bool),
+        (blur, strict, resolution): (Option<R>, bool, R),
     ) -> Result<(), Refused<R>>
     where
         S: System<N, K, Scalar = R>,
@@ -115,6 +117,7 @@ impl<R: Ordered> Track<R> {
         M: Adaptive<S, C, N, K>,
         G: Guard<S, R, N>,
     {
+        watched.has_no_kinks(interval, states, resolution)?;
         let sizes = watched.sizes(states);
         let mut error = None;
         let polynomial =
@@ -255,7 +258,7 @@ impl<R: Ordered> Track<R> {
 }
 
 /// The knowledge of a guard from a value alone.
-fn begin<R: Ordered>(value: R, noise: R) -> Memory {
+pub(super) fn begin<R: Ordered>(value: R, noise: R) -> Memory {
     if value > noise {
         Memory::Side(Side::Above)
     } else if value < -noise {
