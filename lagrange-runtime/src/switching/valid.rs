@@ -167,7 +167,7 @@ where
     #[inline(never)]
     fn falls(&mut self, row: usize, which: usize, until: S::Scalar) -> Result<Option<S::Scalar>, Cause> {
         let none: S::Scalar = num_traits::Zero::zero();
-        let shortest = S::Scalar::from_f64(0.5).powi(HALVINGS) * until;
+        let mut shortest = S::Scalar::from_f64(0.5).powi(HALVINGS) * until;
         let scale = entry(&self.memory.scales.coefficients, row);
         let mut lost = rounding::<S::Scalar>() * scale;
         let (mut from, mut width) = (none, until);
@@ -207,7 +207,10 @@ where
                         (lost, width) = (S::Scalar::from_f64(4.0) * more, until - from);
                         continue;
                     }
-                    // A coefficient with a kink at the end of the slip has no polynomial there.
+                    // A coefficient with a kink at the end of the slip has no polynomial there. One that
+                    // consists of rounding errors, as of a time far from zero, has none anywhere: parts that
+                    // grow pass over it.
+                    shortest = shortest + shortest;
                 }
                 Err(why) => return Err(why.cause()),
             }
