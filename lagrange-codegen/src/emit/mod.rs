@@ -118,6 +118,8 @@ pub(crate) fn emit(
     emission.model.locals = names::locals(emission.model, emission.item.least_loop);
     emission.method = switching.as_ref().map(regimes::method);
     let has_contacts = switching.as_ref().is_some_and(Regimes::has_contacts);
+    // Where kinks stand outside the equations of motion, an energy jumps there: no series may pass them.
+    emission.jets = emission.jets.filter(|_| has_contacts || switching.is_none());
     let (system, constants, surface, after) = match emission.solution.saddle {
         Some(method) => {
             let all = constraints::system(&mut emission, method);
@@ -147,9 +149,7 @@ pub(crate) fn emit(
     let report = report::report(&emission, switching.as_ref(), before, after);
     let smooth = emission.jets.zip(emission.orders);
     let smooth = smooth.map(|(jets, orders)| jets::jets(&mut emission, jets, orders));
-    // A system whose kinks stand outside the equations of motion is smooth.
-    let steps = switching.as_ref().filter(|_| has_contacts || smooth.is_none());
-    let steps = steps.and_then(|switching| steps::steps(&emission, switching));
+    let steps = switching.as_ref().and_then(|switching| steps::steps(&emission, switching));
     let asked = emission.item.jacobians;
     let linearization = (asked && !has_contacts).then(|| linearization::linearization(&mut emission));
     let sensitive = asked.then(|| over::sensitive(&emission));
