@@ -46,7 +46,7 @@ where
             return Ok(None);
         }
         guards.cross(&memory.flips);
-        guards.slips_begin(&memory.slips_begin);
+        guards.begins(&memory.begins);
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
         let (control, limits) = (self.control, self.limits);
         let narrow = guards.fallen_inside::<M>(&mut memory.inner, constants, control, limits);

@@ -80,7 +80,7 @@ where
             is_cut: false,
             stuck: None,
             fired: None,
-            slips_begin: [false; C],
+            begins: [false; C],
             scales: Scales::new(),
             flips: [0; W],
             changes: 0,

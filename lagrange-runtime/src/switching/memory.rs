@@ -47,8 +47,8 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) stuck: Option<Cause>,
     /// The guard that ended the piece before, which is zero where the next one starts.
     pub(super) fired: Option<Guard>,
-    /// The frictions in one direction whose slips begin there, from zero.
-    pub(super) slips_begin: [bool; C],
+    /// The frictions in one direction whose slips begin there, from zero, and the contacts that open there.
+    pub(super) begins: [bool; C],
     pub(super) scales: Scales<R, C>,
     /// Changes of the side of each kink since time has last passed, beyond rounding.
     pub(super) flips: [usize; W],
@@ -140,11 +140,14 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         if is_impact {
             self.ended = Ended::none();
         }
-        for (row, (slips_begin, kind)) in self.slips_begin.iter_mut().zip(rows).enumerate() {
-            let sticks = |regime: &Regime<R, C, W>| regime.active.get(row) == Some(&true);
-            let is_straight = matches!(kind, Row::Friction { pair: None, .. });
-            *slips_begin =
-                !is_impact && is_straight && (sticks(before) || fired == Some(row)) && !sticks(after);
+        for (row, (begins, kind)) in self.begins.iter_mut().zip(rows).enumerate() {
+            let holds = |regime: &Regime<R, C, W>| regime.active.get(row) == Some(&true);
+            let may_begin = match kind {
+                Row::Friction { pair, .. } => pair.is_none() && (holds(before) || fired == Some(row)),
+                Row::Unilateral => holds(before),
+                Row::Bilateral | Row::Load => false,
+            };
+            *begins = !is_impact && may_begin && !holds(after);
         }
         for (row, (opened, kind)) in self.opened.iter_mut().zip(rows).enumerate() {
             let bears = |regime: &Regime<R, C, W>| regime.active.get(row) == Some(&true);

@@ -237,7 +237,7 @@ where
                 self.memory.end = start;
                 at(&start, cause)
             })?;
-            (self.memory.fired, self.memory.slips_begin) =
+            (self.memory.fired, self.memory.begins) =
                 (found.as_ref().and_then(|event| event.guard), [false; C]);
             self.memory.is_cut = found.is_some() && self.memory.fired.is_none();
             let Some(mut event) = found else {

@@ -39,7 +39,15 @@ where
         match kind {
             Row::Bilateral | Row::Load => reaction(row),
             Row::Unilateral if is_active => reaction(row),
-            Row::Unilateral => function(row),
+            Row::Unilateral => {
+                let mut gap = function(row)?;
+                // Likewise a gap that opens does not accelerate back: its acceleration is a rounding error of
+                // forces where its reaction has just vanished.
+                if self.has_begun(guard) && gap.coefficients[2] < num_traits::Zero::zero() {
+                    gap.coefficients[2] = num_traits::Zero::zero();
+                }
+                Some(gap)
+            }
             Row::Friction { normal, pair } if is_active => {
                 let (known, fixed) = match direction {
                     0 => (S::ALONG.fixed[row], functions.fixed[row]),
@@ -65,7 +73,7 @@ where
                 // A slip that begins does not accelerate back, or another regime would have been chosen.
                 // Where friction has just reached its limit, its acceleration is a rounding error of the
                 // forces that it is a difference of.
-                if self.slip_begins(guard) && slip.coefficients[1] < num_traits::Zero::zero() {
+                if self.has_begun(guard) && slip.coefficients[1] < num_traits::Zero::zero() {
                     slip.coefficients[1] = num_traits::Zero::zero();
                 }
                 Some(slip)

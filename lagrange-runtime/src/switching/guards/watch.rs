@@ -17,8 +17,9 @@ pub(in crate::switching) struct Watch<R, const C: usize, const W: usize> {
     /// Kinks that the motion has crossed where the step starts. Their guards are zero there: another kink may
     /// be crossed at the same time, so that roundings are all that is left of them.
     crossed: [bool; W],
-    /// The frictions in one direction whose slips begin where the step starts.
-    slips_begin: [bool; C],
+    /// The frictions in one direction whose slips begin where the step starts, and the contacts that open
+    /// there.
+    begins: [bool; C],
     /// Rows and kinks whose guards are sampled, without a series that converges on the step.
     sampled: ([bool; C], [bool; W]),
 }
@@ -32,7 +33,7 @@ impl<R: Real, const C: usize, const W: usize> Watch<R, C, W> {
             directions: [R::zero(); C],
             kinks: [true; W],
             crossed: [false; W],
-            slips_begin: [false; C],
+            begins: [false; C],
             sampled,
         }
     }
@@ -79,14 +80,15 @@ where
         self.watch.crossed = flips.map(|flips| flips > 0);
     }
 
-    /// Notes the frictions in one direction whose slips begin where the step starts.
-    pub(in crate::switching) fn slips_begin(&mut self, rows: &[bool; C]) {
-        self.watch.slips_begin = *rows;
+    /// Notes the frictions in one direction whose slips begin where the step starts, and the contacts that
+    /// open there.
+    pub(in crate::switching) fn begins(&mut self, rows: &[bool; C]) {
+        self.watch.begins = *rows;
     }
 
-    /// Whether a guard is that of a friction whose slip begins where the step starts.
-    pub(in crate::switching) fn slip_begins(&self, guard: Guard) -> bool {
-        matches!(guard, Guard::Row(row) if self.watch.slips_begin.get(row) == Some(&true))
+    /// Whether a guard is that of such a friction or contact.
+    pub(in crate::switching) fn has_begun(&self, guard: Guard) -> bool {
+        matches!(guard, Guard::Row(row) if self.watch.begins.get(row) == Some(&true))
     }
 
     /// Whether a guard is that of a kink that the motion has crossed where the step starts.
