@@ -9,7 +9,7 @@ use super::place::Event;
 use super::scene::{Scene, Status, most};
 use super::standstill::is_at_rest;
 use super::turning::has_pairs;
-use super::way::{Way, shift};
+use super::way::{Way, is_beyond_rounding, shift};
 use super::{Regime, Row, Switching};
 use crate::integrator::jets::probe::restrained;
 use crate::number::elements::{Each, array};
@@ -263,8 +263,9 @@ where
                 None => self.memory.next = Some((self.memory.regime, state)),
                 Some(Ok(())) => {}
                 Some(Err(cause)) => {
+                    // Who asks for less than the piece does not come to its end.
                     self.memory.stuck = Some(cause);
-                    return Err(at(&state, cause));
+                    return if has_passed { Ok(()) } else { Err(at(&state, cause)) };
                 }
             }
             // A time that is asked for may lie so near that no time has passed beyond rounding.
@@ -392,9 +393,4 @@ where
             (memory.end, memory.next, memory.is_way) = (start, None, false);
         }
     }
-}
-
-/// Whether more time lies between two times than rounding hides.
-pub(super) fn is_beyond_rounding<R: Ordered>(from: R, to: R) -> bool {
-    (to - from).abs() > R::from_f64(16.0) * R::epsilon() * from.abs()
 }

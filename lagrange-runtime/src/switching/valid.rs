@@ -2,8 +2,9 @@
 
 use super::guards::PLACES;
 use super::place::Event;
-use super::run::{Run, is_beyond_rounding};
+use super::run::Run;
 use super::scene::{Scene, Status, above, against, entry, most, rounding};
+use super::way::is_beyond_rounding;
 use super::{Coefficients, Laws, Row, Switching};
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved};
 use crate::number::elements::array;

@@ -2,7 +2,7 @@
 
 use super::scene::above;
 use crate::number::elements::array;
-use crate::number::real::Real;
+use crate::number::real::{Ordered, Real};
 use crate::system::state::State;
 
 /// Accelerations that change over a short time: the parabola through those at its start, in its middle and at
@@ -104,6 +104,11 @@ pub(super) fn shift<R: Real, const N: usize>(state: &mut State<R, N>, accelerati
         *q += dt * (*v + half * dt * a);
         *v += dt * a;
     }
+}
+
+/// Whether more time lies between two times than rounding hides.
+pub(super) fn is_beyond_rounding<R: Ordered>(from: R, to: R) -> bool {
+    (to - from).abs() > R::from_f64(16.0) * R::epsilon() * from.abs()
 }
 
 #[cfg(test)]
