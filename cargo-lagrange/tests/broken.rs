@@ -179,7 +179,7 @@ fn every_mistake_of_urdf_has_its_place() {
         (
             "<axis xyz=\"1 0 0\"/>",
             "<axis xyz=\"1 0 0\"/><mimic joint=\"turn\"/>",
-            "error: r.urdf:9:3: <joint name=\"turn\">: it follows itself; remove a <mimic>",
+            "error: r.urdf:9:3: <joint name=\"turn\">: it follows itself; untie one joint",
         ),
         (
             "<axis xyz=\"1 0 0\"/>",

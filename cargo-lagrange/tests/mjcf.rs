@@ -100,3 +100,28 @@ fn a_given_inertia_counts_where_no_geom_has_a_mass() {
     assert_eq!(of("inertiafromgeom=\"true\"", &format!("<geom mass=\"0\" {BALL}/>")), given);
     assert_ne!(of("inertiafromgeom=\"true\"", &geom), given);
 }
+
+#[test]
+fn the_outermost_defaults_may_stand_in_several_parts() {
+    let of = |defaults: &str, geom: &str| {
+        let text = format!(
+            "<mujoco>{defaults}<worldbody><body name=\"arm\"><joint name=\"turn\"/><geom pos=\".3 0 0\" {geom}/></body>
+             </worldbody></mujoco>"
+        );
+        import("m.xml", &text, &Options::default()).unwrap_or_else(|report| panic!("{report}")).text
+    };
+    let damping = "<joint damping=\"0.3\" armature=\"0.2\"/>";
+    let one = of(&format!("<default>{damping}<geom density=\"300\"/></default>"), "size=\".1\"");
+    let apart = format!("<default>{damping}</default><default><geom density=\"300\"/></default>");
+    assert_eq!(of(&apart, "size=\".1\""), one);
+    assert_ne!(one, of("", "size=\".1\""));
+    let again = format!("<default><joint damping=\"2\"/></default>{apart}");
+    assert_eq!(of(&again, "size=\".1\""), one);
+
+    // Sizes that a geom lacks are those of its defaults, one by one.
+    let whole = of("", "type=\"box\" size=\".4 .2 .3\"");
+    let inner = "<default class=\"short\"><geom size=\".4\"/></default>";
+    let sizes = format!("<default><geom type=\"box\" size=\".1 .2 .3\"/>{inner}</default>");
+    assert_eq!(of(&sizes, "size=\".4\""), whole);
+    assert_eq!(of(&sizes, "class=\"short\""), whole);
+}

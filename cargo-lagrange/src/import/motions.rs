@@ -99,7 +99,7 @@ pub fn motions(
             mimic.of = of;
             steps += 1;
             if steps > robot.joints.len() {
-                sink.problem(&joint.mark, "it follows itself; remove a <mimic> of this circle");
+                sink.problem(&joint.mark, "it follows itself; untie one joint of this circle");
                 return None;
             }
         }

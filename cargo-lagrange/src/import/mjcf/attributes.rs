@@ -18,8 +18,8 @@ pub type Element<'a> = Node<'a, 'a>;
 
 /// The classes of defaults, and how angles are written.
 pub struct Attributes<'a> {
-    /// The element of a class and the class around it.
-    classes: BTreeMap<String, (Element<'a>, Option<String>)>,
+    /// The elements of a class and the class around it.
+    classes: BTreeMap<String, (Vec<Element<'a>>, Option<String>)>,
     /// Whether angles are in degrees.
     pub degrees: bool,
     /// The axes of Euler angles; capital letters are fixed axes.
@@ -63,11 +63,14 @@ impl<'a> Attributes<'a> {
                 return reader.problem(node, "a class inside another one needs a name; write class=\"…\"");
             }
         };
-        // Whatever its name is, the outermost class serves elements without one.
-        if around.is_none() {
-            self.classes.entry(MAIN.to_owned()).or_insert((node, None));
+        // Whatever its name is, the outermost class serves elements without one. It may stand in the file in
+        // several parts.
+        if around.is_none() && name != MAIN {
+            self.classes.entry(MAIN.to_owned()).or_default().0.push(node);
         }
-        self.classes.insert(name.clone(), (node, around));
+        let (parts, outer) = self.classes.entry(name.clone()).or_default();
+        parts.push(node);
+        *outer = around;
         for inner in children(node, "default") {
             self.class(reader, inner, Some(name.clone()));
         }
@@ -75,9 +78,13 @@ impl<'a> Attributes<'a> {
 
     /// The element that has an attribute: the element itself, or that of the defaults of its class.
     pub fn find(&self, reader: &mut Reader<'a>, node: Element<'a>, attribute: &str) -> Option<Element<'a>> {
-        if node.has_attribute(attribute) {
-            return Some(node);
-        }
+        self.layers(reader, node, attribute).into_iter().next()
+    }
+
+    /// All elements that have an attribute, each before those that it overrides.
+    fn layers(&self, reader: &mut Reader<'a>, node: Element<'a>, attribute: &str) -> Vec<Element<'a>> {
+        let mut found: Vec<Element<'a>> =
+            Some(node).filter(|node| node.has_attribute(attribute)).into_iter().collect();
         let around = || node.ancestors().skip(1).find_map(|body| body.attribute("childclass"));
         let own = node.attribute("class");
         let mut class = Some(own.or_else(around).unwrap_or(MAIN).to_owned());
@@ -88,19 +95,26 @@ impl<'a> Attributes<'a> {
             if !reader.sink.problems.iter().any(|problem| problem.text == text) {
                 reader.problem(node, text);
             }
-            return None;
+            return found;
         }
-        while let Some(name) = class {
-            let (defaults, around) = self.classes.get(&name)?;
+        while let Some((parts, around)) = class.and_then(|name| self.classes.get(&name)) {
             // A later element of the defaults overrides an earlier one.
-            let same = defaults.children().filter(|defaults| shares_defaults(*defaults, node));
-            let found = same.filter(|defaults| defaults.has_attribute(attribute)).last();
-            if found.is_some() {
-                return found;
-            }
+            let all = parts.iter().rev().flat_map(|part| part.children().rev());
+            let same = all.filter(|defaults| shares_defaults(*defaults, node));
+            found.extend(same.filter(|defaults| defaults.has_attribute(attribute)));
             class = around.clone();
         }
-        None
+        found
+    }
+
+    /// Numbers of which each that is lacking is that of the defaults.
+    pub fn list(&self, reader: &mut Reader<'a>, node: Element<'a>, attribute: &str) -> Vec<f64> {
+        let mut list = Vec::new();
+        for layer in self.layers(reader, node, attribute) {
+            let numbers = reader.numbers(layer, attribute).unwrap_or_default();
+            list.extend(numbers.into_iter().skip(list.len()));
+        }
+        list
     }
 
     /// A text with its default.

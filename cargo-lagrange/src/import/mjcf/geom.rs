@@ -61,7 +61,7 @@ fn placed<'a>(
     kind: &str,
     options: &Options,
 ) -> Option<(Pose, Vector)> {
-    let mut size = attributes.numbers(reader, node, "size").unwrap_or_default();
+    let mut size = attributes.list(reader, node, "size");
     let ends: Option<[f64; 6]> = attributes.vector(reader, node, "fromto");
     let (needed, last) = match kind {
         "sphere" => (1, None),
