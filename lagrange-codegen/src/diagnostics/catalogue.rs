@@ -154,7 +154,7 @@ messages! {
     unsupported_macro(name) = "`{name}!` cannot be turned into an equation; `vector!`, `matrix!` and \
         `point!` can";
     idle_macro(name) = "`{name}!` has no part in an equation; remove it";
-    caret(power) = "`^` is no power in Rust; write `.{power}`";
+    caret(power) = "`^` is no power in Rust, and has no part in an equation; for a power write `.{power}`";
     unsupported_pattern() = "this pattern is not supported; use names, `_`, tuples and arrays";
     refutable_pattern() = "this pattern does not match every value; use names, `_`, tuples and arrays";
     struct_literal() = "a struct cannot be built here; use a tuple or an array";
@@ -326,8 +326,8 @@ messages! {
     unmixed_choice(then, otherwise) = "the sides of this branch on the state are {then} and {otherwise}; let both be \
         numbers, vectors or arrays of one size";
     no_arm() = "no arm matches this constant; add an arm with `_`";
-    bound_not_constant(value) = "the bound of this loop is {value}, not a constant integer; use a literal or \
-        a `const` of this impl block";
+    bound_not_constant(value) = "the bound of this range is {value}, not a constant integer; use a literal or \
+        a `const` of this impl block, and for a condition two comparisons, as in `0.0 < x && x < 1.0`";
     parameter_bound(path) = "the bound `{path}` is not known to the macro; use a literal or a `const` of \
         this impl block, written `Self::NAME`";
     open_range() = "this range has no end; write both bounds";

@@ -90,6 +90,14 @@ pub fn structurally_singular(coordinate: &str) -> String {
     )
 }
 
+/// A kinetic energy with products of a velocity, but not with its square.
+pub fn indefinite(coordinate: &str) -> String {
+    format!(
+        "the kinetic energy is not positive: the velocity of `{coordinate}` stands in products with others, but not \
+         squared; give a Lagrangian of any sign by `#[lagrangian]`"
+    )
+}
+
 /// A constraint in which the coordinate to be eliminated is not linear with a constant coefficient.
 pub fn not_solvable(constraint: &str, coordinate: &str) -> String {
     format!(

@@ -233,6 +233,10 @@ impl Interpreter<'_> {
 pub fn alternative(name: &str) -> &'static str {
     match name {
         "is_nan" | "is_finite" | "total_cmp" => "the generated solver checks its numbers itself",
+        "rem_euclid" | "div_euclid" | "fract" => {
+            "it jumps: use a trigonometric function for what repeats itself, or for parameters a field with the result"
+        }
+        "copysign" => "write `x.abs() * y.signum()`",
         _ => "use the unrounded value",
     }
 }

@@ -256,7 +256,10 @@ fn of_block(
             if let Some(&(coordinate, ..)) = result.pivots.iter().find(|(_, pivot, _)| graph.is_zero(*pivot))
             {
                 let quantity = &model.coordinates[coordinate];
-                diagnostics.at(quantity.origin, physics::structurally_singular(&quantity.written()));
+                let of = |other: usize| !graph.is_zero(entry(coordinate, other));
+                let is_indefinite = !of(coordinate) && coordinates.iter().any(|&other| of(other));
+                let text = if is_indefinite { physics::indefinite } else { physics::structurally_singular };
+                diagnostics.at(quantity.origin, text(&quantity.written()));
             }
             let mut pivots = unknown(graph, &result.pivots);
             if !equations.definite {

@@ -189,7 +189,7 @@ fn constants_and_branches() {
     );
     body(quote!(for i in 0..self.n {} q.x), "the bound `self.n` is not known to the macro; ");
     body(quote!(for i in 0..N {} q.x), "the bound `N` is not known to the macro; ");
-    body(quote!(for i in 0..q.x {} q.x), "the bound of this loop is a scalar, not a constant integer; ");
+    body(quote!(for i in 0..q.x {} q.x), "the bound of this range is a scalar, not a constant integer; ");
     body(quote!(for i in 0.. {} q.x), "this range has no end; ");
     body(
         quote!(for m in self.masses {} q.x),

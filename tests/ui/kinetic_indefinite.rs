@@ -1,0 +1,13 @@
+use lagrangian::prelude::*;
+
+pub struct Saddle;
+
+#[lagrangian(coordinates = [x, y])]
+impl Saddle {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        v.x * v.y
+    }
+}
+
+fn main() {}
