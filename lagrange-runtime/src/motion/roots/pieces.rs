@@ -8,6 +8,9 @@ use crate::number::real::Ordered;
 /// How often a step is halved at most. The noise ends it much earlier.
 const LEVELS: usize = 60;
 
+/// The part of the noise up to which a piece is constant: roundings of the sum of a polynomial are no larger.
+pub(super) const FLAT: f64 = 0.125;
+
 /// A part of the step where the polynomial is monotone, or within the noise, or certain.
 pub(super) struct Piece<R> {
     pub(super) ends: [R; 2],
@@ -88,6 +91,10 @@ impl<R: Ordered> Pieces<R> {
             Some(Piece { ends, sides: [side; 2], certain: true })
         } else if middle.abs() + reach <= noise {
             Some(Piece { ends, sides: [None; 2], certain: false })
+        } else if reach <= noise * R::from_f64(FLAT) {
+            // At the edge of the noise, halves of it would not tell more.
+            let side = self.sign(middle, R::one());
+            Some(Piece { ends, sides: [side; 2], certain: side.is_some() })
         } else {
             let (slopes, degree) = derivative(coefficients);
             let (slope, variation) = extent(&slopes[..=degree]);

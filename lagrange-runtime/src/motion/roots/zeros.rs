@@ -1,6 +1,6 @@
 //! The walk over the pieces of a step that counts each zero once.
 
-use super::pieces::{Piece, Pieces};
+use super::pieces::{FLAT, Piece, Pieces};
 use super::{Kind, Memory, Polynomial, Side, Zero, bracket};
 use crate::number::real::Ordered;
 
@@ -92,7 +92,13 @@ impl<R: Ordered> Zeros<R> {
             (Some(Entry::Start(Memory::Side(_))), before) => before != Some(side) || self.approaches(side),
         };
         let counted = matches!(entry, Some(Entry::Start(Memory::Zero(_))));
-        counts.then(|| self.zero([low, point], before.unwrap_or(side), side, counted))
+        let zero = counts.then(|| self.zero([low, point], before.unwrap_or(side), side, counted))?;
+        // A guard that crosses zero as flatly as the cube of another one does hovers about the edge of the
+        // noise. What does not come in further has touched nothing.
+        let hovers = entry == Some(Entry::Inside)
+            && zero.kind == Kind::Grazing
+            && side.towards(self.value(zero.theta)) > self.pieces.noise * R::from_f64(1.0 - 2.0 * FLAT);
+        (!hovers).then_some(zero)
     }
 
     /// Whether the guard, on this side, goes towards zero at the start.
