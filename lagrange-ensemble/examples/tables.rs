@@ -17,12 +17,13 @@ fn main() -> Result<(), Box<dyn Error>> {
             index as f32 / 3.0,
             -(index as i64),
             index as i32,
-            index as u8,
+            (index as u8, (1 << 60) + index, u32::MAX - index as u32),
             index.is_multiple_of(2),
         )),
     };
     let study = Study::new("mixed", 20, mixed);
-    let table = study.with_columns(["time", "single", "turns", "small", "byte", "over"]).run()?;
+    let table =
+        study.with_columns(["time", "single", "turns", "small", "byte", "long", "short", "over"]).run()?;
     for name in ["mixed.npy", "mixed.csv", "mixed.parquet"] {
         table.write(folder.join(name))?;
     }

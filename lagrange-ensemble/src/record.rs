@@ -15,6 +15,10 @@ pub enum Kind {
     I64,
     /// Signed integers of 32 bits; zero in rows without a result.
     I32,
+    /// Integers of 64 bits without a sign; zero in rows without a result.
+    U64,
+    /// Integers of 32 bits without a sign; zero in rows without a result.
+    U32,
     /// Bytes; zero in rows without a result.
     U8,
     /// True or false; false in rows without a result.
@@ -25,8 +29,8 @@ impl Kind {
     /// Bytes of a value in the file.
     pub(crate) fn size(self) -> usize {
         match self {
-            Self::F64 | Self::I64 => 8,
-            Self::F32 | Self::I32 => 4,
+            Self::F64 | Self::I64 | Self::U64 => 8,
+            Self::F32 | Self::I32 | Self::U32 => 4,
             Self::U8 | Self::Bool => 1,
         }
     }
@@ -127,7 +131,22 @@ macro_rules! numbers {
     )*};
 }
 
-numbers!(f64 as F64, f32 as F32, i64 as I64, i32 as I32, u8 as U8);
+numbers!(f64 as F64, f32 as F32, i64 as I64, i32 as I32, u64 as U64, u32 as U32, u8 as U8);
+
+/// Stored as `u64`, the same on all machines.
+impl Record for usize {
+    fn columns() -> Vec<Column> {
+        u64::columns()
+    }
+
+    fn store(&self, row: &mut Vec<u8>) {
+        (*self as u64).store(row);
+    }
+
+    fn load(row: &mut Cells<'_>) -> Self {
+        Self::try_from(u64::load(row)).unwrap_or(Self::MAX)
+    }
+}
 
 impl Record for bool {
     fn columns() -> Vec<Column> {

@@ -198,10 +198,17 @@ impl<F: Fn(u64) -> Result<T, Failure> + Sync, T: Record> CloneWith<T> for Study<
 
 #[test]
 fn records_are_read_as_they_were_stored() {
-    type Mixed = ((f64, f32), i64, i32, bool, [Option<f64>; 2]);
+    type Mixed = ((f64, f32), i64, i32, bool, [Option<f64>; 2], (u64, u32, usize));
     let value = |index: u64| {
         let x = index as f64;
-        let mixed: Mixed = ((x, 0.5), -(index as i64), 7, index.is_multiple_of(2), [None, Some(x)]);
+        let mixed: Mixed = (
+            (x, 0.5),
+            -(index as i64),
+            7,
+            index.is_multiple_of(2),
+            [None, Some(x)],
+            (u64::MAX - index, u32::MAX, 3),
+        );
         if index == 5 { Err(Failure::at(0.5, "five")) } else { Ok(mixed) }
     };
     let table = Study::new("mixed", 300, value).run().expect("the study runs");
@@ -215,7 +222,10 @@ fn records_are_read_as_they_were_stored() {
             ("c", Kind::I32),
             ("d", Kind::Bool),
             ("e0", Kind::F64),
-            ("e1", Kind::F64)
+            ("e1", Kind::F64),
+            ("f_a", Kind::U64),
+            ("f_b", Kind::U32),
+            ("f_c", Kind::U64)
         ]
     );
     assert_eq!(rows(&table), (0..300).map(value).collect::<Vec<_>>());

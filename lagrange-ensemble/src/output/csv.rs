@@ -63,6 +63,8 @@ fn text(kind: Kind, cells: &mut Cells<'_>) -> String {
         }
         Kind::I64 => i64::load(cells).to_string(),
         Kind::I32 => i32::load(cells).to_string(),
+        Kind::U64 => u64::load(cells).to_string(),
+        Kind::U32 => u32::load(cells).to_string(),
         Kind::U8 => u8::load(cells).to_string(),
         Kind::Bool => bool::load(cells).to_string(),
     }

@@ -35,6 +35,8 @@ fn of(kind: Kind) -> io::Result<TypeStr> {
         Kind::F32 => "<f4",
         Kind::I64 => "<i8",
         Kind::I32 => "<i4",
+        Kind::U64 => "<u8",
+        Kind::U32 => "<u4",
         Kind::U8 => "|u1",
         Kind::Bool => "|b1",
     };

@@ -35,6 +35,8 @@ pub(super) fn write(rows: &Rows, out: &mut Out) -> Result<(), Stopped> {
             Kind::F32 => (Physical::FLOAT, none),
             Kind::I64 => (Physical::INT64, none),
             Kind::I32 => (Physical::INT32, none),
+            Kind::U64 => (Physical::INT64, ConvertedType::UINT_64),
+            Kind::U32 => (Physical::INT32, ConvertedType::UINT_32),
             Kind::U8 => (Physical::INT32, ConvertedType::UINT_8),
             Kind::Bool => (Physical::BOOLEAN, none),
         };
@@ -67,6 +69,9 @@ pub(super) fn write(rows: &Rows, out: &mut Out) -> Result<(), Stopped> {
                 Kind::F32 => values::<FloatType, f32>(&mut group, &there, cells, |x| x)?,
                 Kind::I64 => values::<Int64Type, i64>(&mut group, &there, cells, |x| x)?,
                 Kind::I32 => values::<Int32Type, i32>(&mut group, &there, cells, |x| x)?,
+                // Without a sign, but of the same bits.
+                Kind::U64 => values::<Int64Type, u64>(&mut group, &there, cells, |x| x as i64)?,
+                Kind::U32 => values::<Int32Type, u32>(&mut group, &there, cells, |x| x as i32)?,
                 Kind::U8 => values::<Int32Type, u8>(&mut group, &there, cells, i32::from)?,
                 Kind::Bool => values::<BoolType, bool>(&mut group, &there, cells, |x| x)?,
             }

@@ -1,8 +1,8 @@
 //! Regimes that have ended without any time between.
 //!
-//! Where a regime begins at its limit, accelerations and reactions tie, and several regimes pass for possible.
-//! Higher derivatives tell which of them goes on, and the polynomials of a step know these: a regime that ends
-//! where it begins does not. It is chosen again only where no other one is possible.
+//! Where a regime begins at its limit, accelerations and reactions tie, and several regimes pass for
+//! possible. Higher derivatives tell which of them goes on, and the polynomials of a step know these: a
+//! regime that ends where it begins does not. It is chosen again only where no other one is possible.
 
 use super::trials::Part;
 use super::{Regime, Row};

@@ -1,11 +1,11 @@
 //! The point of a polyhedron that is nearest to the origin.
 //!
 //! Of the x with pⱼ · x ≥ dⱼ the shortest is a sum of rows, x = Σ yⱼ pⱼ with yⱼ ≥ 0. Rows may have one more
-//! entry than the rows of a system, the `last`. Least squares with
-//! unknowns that are not negative find it: with u from min |Σ uⱼ (pⱼ, dⱼ) − (0, 1)|, y is u over 1 − Σ uⱼ dⱼ.
-//! Only rows whose residual asks for them enter, so those that do are independent (Lawson and Hanson,
-//! *Solving Least Squares Problems*, chapter 23). Rows that almost contradict each other almost depend on each
-//! other: they are made orthogonal, since products of them would have the square of that small distance.
+//! entry than the rows of a system, the `last`. Least squares with unknowns that are not negative find it:
+//! with u from min |Σ uⱼ (pⱼ, dⱼ) − (0, 1)|, y is u over 1 − Σ uⱼ dⱼ. Only rows whose residual asks for them
+//! enter, so those that do are independent (Lawson and Hanson, *Solving Least Squares Problems*, chapter 23).
+//! Rows that almost contradict each other almost depend on each other: they are made orthogonal, since
+//! products of them would have the square of that small distance.
 
 use super::scene::{above, most, product, put, rounding};
 use crate::number::elements::{Each, array};

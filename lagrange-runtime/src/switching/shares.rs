@@ -147,7 +147,7 @@ where
                 }
             }
             let Nearest { pushes, point } = nearest([&sides[0], &sides[1]])?;
-            // Bounds that hardly differ make their rounding errors large, and with them what changes the motion.
+            // Bounds that hardly differ enlarge their rounding errors, and with them what changes the motion.
             let held = project(&point);
             let found: [S::Scalar; C] = array(|i| base[i] + (point[i] - held[i]));
             let is_possible = (0..C).all(|row| {

@@ -1,7 +1,8 @@
 //! Kinks and jumps of a guard.
 //!
-//! A guard such as min(f, c) may be constant at all places at which it is sampled, and pass zero twice between
-//! two of them. What it has its kinks at the zeros of is smooth: an interval is cut at the first of these.
+//! A guard such as min(f, c) may be constant at all places at which it is sampled, and pass zero twice
+//! between two of them. What it has its kinks at the zeros of is smooth: an interval is cut at the first of
+//! these.
 
 use super::Guard;
 use super::interval::{Interval, POINTS, Watched};
