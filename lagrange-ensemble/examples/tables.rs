@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             index as f32 / 3.0,
             -(index as i64),
             index as i32,
-            (index as u8, (1 << 60) + index, u32::MAX - index as u32),
+            (index as u8, (1 << 50) + index, u32::MAX - index as u32),
             index.is_multiple_of(2),
         )),
     };
