@@ -11,6 +11,7 @@
 
 use super::nearest::{Bound, Nearest, nearest};
 use super::scene::{Scene, Sticking, above, entry, most, product};
+use super::shares::Cut;
 use super::turning::TURNS;
 use super::{Regime, Row, Switching};
 use crate::number::elements::array;
@@ -21,13 +22,6 @@ const GAIN: f64 = 0.1;
 
 /// The factor by which the gain of margin that is sought becomes larger or smaller.
 const REACH: f64 = 4.0;
-
-/// A plane that bounds the shares: its product with multipliers is at least `bound`.
-#[derive(Clone, Copy)]
-struct Cut<R, const C: usize> {
-    normal: [R; C],
-    bound: R,
-}
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
 where
@@ -50,9 +44,6 @@ where
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
         let spread = self.spread(bearing, drags);
         let base = spread.shortest(known);
-        let cut_at = |row: usize, at: &[S::Scalar; C]| {
-            self.cut(row, bearing, at, Sticking::ByForces).map(|(normal, bound)| Cut { normal, bound })
-        };
         let free = |cut: &Cut<S::Scalar, C>| {
             let held = spread.shortest(&cut.normal);
             array(|i| cut.normal[i] - held[i])
@@ -89,7 +80,7 @@ where
             // Tangents at the point, and the margin there.
             let mut least: Option<S::Scalar> = None;
             for row in 0..C {
-                let Some(cut) = cut_at(row, &point) else { continue };
+                let Some(cut) = self.cut(row, bearing, &point, Sticking::ByForces) else { continue };
                 let unit = unit_of(row, &cut);
                 if !unit.is_positive() {
                     // No shares change the distance from this plane. A friction may have others in other

@@ -15,6 +15,13 @@ use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::state::State;
 
+/// A plane that bounds the shares: its product with multipliers is at least `bound`.
+#[derive(Clone, Copy)]
+pub(super) struct Cut<R, const C: usize> {
+    pub(super) normal: [R; C],
+    pub(super) bound: R,
+}
+
 /// The rows over which a load is spread.
 pub(super) struct Spread<R, const N: usize, const C: usize> {
     rows: [[R; N]; C],
@@ -131,12 +138,12 @@ where
             let mut sides = [[Bound::none(); C]; 2];
             for row in 0..C {
                 let cuts = self.cuts(row, bearing, &toward, sticking);
-                for (side, (cut, bound)) in
+                for (side, Cut { normal, bound }) in
                     sides.iter_mut().zip(cuts).filter_map(|(side, cut)| Some((side, cut?)))
                 {
-                    let held = project(&cut);
-                    let rest: [S::Scalar; C] = array(|i| cut[i] - held[i]);
-                    let (length, lack) = (product(&cut, &cut).sqrt(), bound - product(&cut, &base));
+                    let held = project(&normal);
+                    let rest: [S::Scalar; C] = array(|i| normal[i] - held[i]);
+                    let (length, lack) = (product(&normal, &normal).sqrt(), bound - product(&normal, &base));
                     let share = S::Scalar::epsilon().sqrt();
                     if above(product(&rest, &rest).sqrt(), share * length) {
                         side[row] = Bound { row: rest, last: zero, least: lack };
@@ -152,9 +159,9 @@ where
             let found: [S::Scalar; C] = array(|i| base[i] + (point[i] - held[i]));
             let is_possible = (0..C).all(|row| {
                 let cuts = self.cuts(row, bearing, &found, sticking);
-                cuts.into_iter().flatten().all(|(cut, bound)| {
-                    let slack = product(&cut, &cut).sqrt() * size + bound.abs();
-                    !above(bound - product(&cut, &found), rounding::<S::Scalar>() * slack)
+                cuts.into_iter().flatten().all(|Cut { normal, bound }| {
+                    let slack = product(&normal, &normal).sqrt() * size + bound.abs();
+                    !above(bound - product(&normal, &found), rounding::<S::Scalar>() * slack)
                 })
             });
             if is_possible {
@@ -181,9 +188,9 @@ where
             let cuts: [_; C] = array(|row| self.cut(row, bearing, &toward, sticking));
             let mut next = found;
             for (row, (cut, &push)) in cuts.iter().zip(&pushes[0]).enumerate() {
-                if let (Row::Friction { pair: Some(other), .. }, Some((cut, _))) = (S::ROWS[row], cut) {
+                if let (Row::Friction { pair: Some(other), .. }, Some(cut)) = (S::ROWS[row], cut) {
                     for own in [row, other] {
-                        if let (Some(next), Some(&part)) = (next.get_mut(own), cut.get(own)) {
+                        if let (Some(next), Some(&part)) = (next.get_mut(own), cut.normal.get(own)) {
                             *next -= push * part;
                         }
                     }
@@ -234,7 +241,7 @@ where
         bearing: &Regime<S::Scalar, C, W>,
         multipliers: &[S::Scalar; C],
         sticking: Sticking,
-    ) -> [Option<([S::Scalar; C], S::Scalar)>; 2] {
+    ) -> [Option<Cut<S::Scalar, C>>; 2] {
         let one: S::Scalar = num_traits::One::one();
         if !matches!(S::ROWS[row], Row::Friction { pair: None, .. }) {
             return [self.cut(row, bearing, multipliers, sticking), None];
@@ -245,45 +252,44 @@ where
         })
     }
 
-    /// The limit of a row: all multipliers whose product with the first is no less than the second. A
-    /// friction has the direction that it has among these multipliers. `None` for a row without a limit, for
-    /// a friction without a force, and for the second row of a pair.
+    /// The limit of a row. A friction has the direction that it has among these multipliers. `None` for a row
+    /// without a limit, for a friction without a force, and for the second row of a pair.
     pub(super) fn cut(
         &self,
         row: usize,
         bearing: &Regime<S::Scalar, C, W>,
         multipliers: &[S::Scalar; C],
         sticking: Sticking,
-    ) -> Option<([S::Scalar; C], S::Scalar)> {
+    ) -> Option<Cut<S::Scalar, C>> {
         let zero: S::Scalar = num_traits::Zero::zero();
-        let mut cut = [zero; C];
+        let mut normal = [zero; C];
         match S::ROWS[row] {
             _ if !bearing.active[row] => None,
             Row::Bilateral | Row::Load if !is_limit(&S::ROWS, row) => None,
             Row::Bilateral | Row::Load | Row::Unilateral => {
-                cut[row] = bearing.side[row];
-                Some((cut, zero))
+                normal[row] = bearing.side[row];
+                Some(Cut { normal, bound: zero })
             }
             // A pair has one cut.
             Row::Friction { pair: Some(other), .. } if other < row => None,
-            Row::Friction { normal, pair } => {
+            Row::Friction { normal: load, pair } => {
                 let size = multipliers[row].hypot(pair.map_or(zero, |other| multipliers[other]));
                 if !size.is_positive() {
                     return None;
                 }
                 for own in [Some(row), pair].into_iter().flatten() {
-                    if let (Some(part), Some(&multiplier)) = (cut.get_mut(own), multipliers.get(own)) {
+                    if let (Some(part), Some(&multiplier)) = (normal.get_mut(own), multipliers.get(own)) {
                         *part = -multiplier / size;
                     }
                 }
-                let Coefficients { kinetic, fixed } = self.against(cut[row]);
+                let Coefficients { kinetic, fixed } = self.against(normal[row]);
                 let coefficient = match sticking {
                     Sticking::ByForces => fixed[row],
                     Sticking::ByImpulses => kinetic[row],
                 };
-                let Some(normal) = normal else { return Some((cut, -coefficient)) };
-                cut[normal] = bearing.side[normal] * coefficient;
-                Some((cut, zero))
+                let Some(load) = load else { return Some(Cut { normal, bound: -coefficient }) };
+                normal[load] = bearing.side[load] * coefficient;
+                Some(Cut { normal, bound: zero })
             }
         }
     }
