@@ -34,9 +34,10 @@ mod sides;
 mod steep;
 mod watched;
 
-use crate::expr::{Graph, NodeId};
+use crate::expr::{Dependence, Graph, NodeId};
 use crate::mechanics::Equations;
 use crate::model::Model;
+use crate::number::Number;
 use crate::schedule::plan;
 use crate::simplify::simplify;
 use auxiliary::{Auxiliary, NotSmooth, Rewriter};
@@ -72,8 +73,25 @@ pub fn derive(
     roots.extend(restrictions.reactions.iter().chain(&restrictions.rates));
     roots.extend(conditions.relaxation.iter().flatten());
     let scope = Scope { coordinates: count, turning: &equations.turning, switches };
-    let hidden = steep::hidden(&mut model.graph, &roots, switches);
+    let lengths = lengths_of_gradients(&mut model.graph, &conditions.jacobian);
+    let hidden = steep::hidden(&mut model.graph, &roots, &lengths, switches);
     (hidden, shortest(&mut *model, equations, scope, (roots, restrictions)))
+}
+
+/// The squared lengths of the gradients that depend on velocities: those of Chetaev's rule. Where one of them
+/// vanishes, as where a motion stops, nothing determines its reaction and how the motion goes on, though a
+/// series may lead past it.
+fn lengths_of_gradients(graph: &mut Graph, jacobian: &[Vec<NodeId>]) -> Vec<NodeId> {
+    let depends = |graph: &Graph, row: &[NodeId]| {
+        row.iter().any(|&entry| graph.dependence(entry).meets(Dependence::VELOCITIES))
+    };
+    let rows = jacobian.iter().filter(|row| depends(graph, row)).collect::<Vec<_>>();
+    rows.into_iter()
+        .map(|row| {
+            let squares: Vec<_> = row.iter().map(|&entry| (graph.powi(entry, 2), Number::ONE)).collect();
+            graph.sum(Number::ZERO, &squares)
+        })
+        .collect()
 }
 
 /// The shortest recurrences.

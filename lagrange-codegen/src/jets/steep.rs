@@ -58,27 +58,35 @@ impl Hidden {
     }
 }
 
-/// Finds what the functions in the equations depend on that can hide from a series. `None` means that no
-/// function can.
-pub(super) fn hidden(graph: &mut Graph, roots: &[NodeId], switches: &[Switch]) -> Option<Hidden> {
-    found(graph, roots, switches, argument_of)
+/// Finds what the functions in the equations depend on that can hide from a series. The `divisors` divide in
+/// what solves the equations. `None` means that no function can.
+pub(super) fn hidden(
+    graph: &mut Graph,
+    roots: &[NodeId],
+    divisors: &[NodeId],
+    switches: &[Switch],
+) -> Option<Hidden> {
+    found(graph, (roots, divisors), switches, argument_of)
 }
 
 /// The same of functions beside the equations, whose roots have no say in a step. They count where they are
 /// largest, so that a square is looked at by itself: its vertex is the middle of a Gaussian.
 pub fn hidden_beside(graph: &mut Graph, root: &[NodeId], switches: &[Switch]) -> Option<Hidden> {
-    let hidden = found(graph, root, switches, argument_itself).filter(|hidden| hidden.is_steep)?;
+    let hidden = found(graph, (root, &[]), switches, argument_itself).filter(|hidden| hidden.is_steep)?;
     Some(Hidden { roots: Vec::new(), ..hidden })
 }
 
-/// What can hide in these functions, by what `argument` makes of the argument of one.
+/// What can hide in these functions, by what `argument` makes of the argument of one, and beside divisors.
 fn found(
     graph: &mut Graph,
-    roots: &[NodeId],
+    (roots, divisors): (&[NodeId], &[NodeId]),
     switches: &[Switch],
     argument: impl Fn(&mut Graph, NodeId) -> NodeId,
 ) -> Option<Hidden> {
     let mut found = Found::default();
+    for &divisor in divisors {
+        found.base(graph, divisor, 1);
+    }
     for id in graph.cone(roots.iter().copied()) {
         if graph.dependence(id).is_fixed() {
             continue;
@@ -358,7 +366,7 @@ mod tests {
             (graph.unary(Unary::Acos, sine), false, true),
             (exp, true, false),
         ] {
-            let found = hidden(&mut graph, &[node], &[]);
+            let found = hidden(&mut graph, &[node], &[], &[]);
             let found = found.map(|hidden| (hidden.is_steep, !hidden.roots.is_empty()));
             assert_eq!(
                 found.unwrap_or_default(),
@@ -367,6 +375,18 @@ mod tests {
                 graph.print(node, &|v| format!("{v:?}"))
             );
         }
+    }
+
+    #[test]
+    fn divisors_hide_where_they_are_smallest() {
+        let mut graph = Graph::default();
+        let [x, y] = [0, 1].map(|i| graph.variable(Variable::Velocity(i)));
+        let [xx, yy] = [x, y].map(|node| graph.powi(node, 2));
+        let square = graph.add(xx, yy);
+        assert_eq!(hidden(&mut graph, &[square], &[], &[]), None);
+        let found = hidden(&mut graph, &[square], &[square], &[]).unwrap();
+        assert!(found.is_steep);
+        assert_eq!(found.bases, [(square, 1)]);
     }
 
     #[test]

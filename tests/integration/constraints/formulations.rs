@@ -1,11 +1,13 @@
 //! Constraints beside other ways to describe a system: a Lagrangian given as a whole, and constraints that
 //! are not affine.
 
+use lagrangian::Cause;
 use lagrangian::prelude::*;
 
 use crate::support::close::{all_close, close, close_on};
 use crate::support::constrained::bound;
 use crate::support::motion::{TIGHT, both_follow, numbers, state_at};
+use crate::support::sample::Samples;
 
 const G: f64 = 9.81;
 
@@ -164,4 +166,57 @@ fn a_constraint_that_is_not_affine_acts_across_the_allowed_velocities() {
         close_on(1.0, particle.energy_rate(&state).unwrap(), power, 1e-13);
     }
     bound!(particle, [false]).holds([start, state_at(&particle, start, 0.3)]);
+}
+
+/// Appell's example: x′² + y′² = c z′², with springs across.
+struct Cone {
+    slope: f64,
+    weight: f64,
+    stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x, y, z])]
+impl Cone {
+    #[point(mass = 1.0)]
+    fn particle(&self, q: &Coordinates) -> Vector3<f64> {
+        Vector3::new(q.x, q.y, q.z)
+    }
+
+    #[potential]
+    fn potential(&self, q: &Coordinates) -> f64 {
+        self.weight * q.z + 0.5 * self.stiffness * (q.x.powi(2) + 2.0 * q.y.powi(2))
+    }
+
+    #[nonholonomic(chetaev)]
+    fn cone(&self, v: &Velocities) -> f64 {
+        v.x.powi(2) + v.y.powi(2) - self.slope * v.z.powi(2)
+    }
+}
+
+/// A motion that is thrown up comes to rest, all velocities at once. There the constraint has no gradient: one
+/// motion after the other leads on from there.
+#[test]
+fn a_motion_on_a_cone_of_velocities_ends_where_it_stops() {
+    let mut samples = Samples::new(6);
+    let mut stopped = 0;
+    for _ in 0..20 {
+        let cone = Cone {
+            slope: samples.number(0.5, 3.0),
+            weight: samples.number(3.0, 9.81),
+            stiffness: samples.number(0.5, 3.0),
+        };
+        let q = [samples.unit(), samples.unit(), samples.unit()];
+        let start = State::new(q, [samples.unit(), samples.number(0.5, 1.0), samples.number(0.5, 1.0)]);
+        let start = cone.consistent(start).unwrap();
+        for tolerance in [1e-6, 1e-9, 1e-12] {
+            let mut motion = cone.simulate(start).with_tolerance(tolerance);
+            let Err(error) = motion.advance_to(1.0).copied() else { continue };
+            assert_eq!(error.cause, Cause::StepTooSmall);
+            let (last, first) = (motion.state().v, start.v);
+            let speed = |v: [f64; 3]| Vector3::from(v).norm();
+            assert!(speed(last) < 1e-2 * speed(first), "{tolerance:e}: {last:?}");
+            stopped += 1;
+        }
+    }
+    assert!(stopped > 40, "{stopped}");
 }
