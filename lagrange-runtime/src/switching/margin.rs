@@ -10,7 +10,7 @@
 //! (Kiwiel, *Methods of Descent for Nondifferentiable Optimization*, chapter 2).
 
 use super::nearest::{Bound, Nearest, nearest};
-use super::scene::{Scene, Sticking, above, entry, most, product};
+use super::scene::{Scene, Sticking, above, entry, most, product, rounding};
 use super::shares::Cut;
 use super::turning::TURNS;
 use super::{Regime, Row, Switching};
@@ -114,7 +114,7 @@ where
                     Bound { row: free(cut), last: one, least }
                 })
             });
-            let found = nearest([&limits, &[Bound::none(); C]]);
+            let found = nearest([&limits, &[Bound::none(); C]], rounding());
             let Some(Nearest { pushes: [pushes, _], point: step }) = found else { return false };
             let rest = pushes.iter().fold(zero, |sum, &push| sum + push);
             predicted = reach - rest;

@@ -67,12 +67,15 @@ pub(super) struct Nearest<R, const C: usize> {
     pub(super) point: [R; C],
 }
 
-/// The shortest x. `None` where there is none, or none nearer than some 1/√[`rounding`] times the distance of
-/// the furthest bound.
+/// The shortest x, which may lack a part `allowed` of the distance of the furthest bound. `None` where there is
+/// none, or none nearer than some 1/√[`rounding`] times that distance.
 ///
 /// Two bounds of a row are those of a friction in its two directions. Where both are met exactly, so is that
 /// of the reaction that limits it, so one of them is enough.
-pub(super) fn nearest<R: Real, const C: usize>(sides: [&[Bound<R, C>; C]; 2]) -> Option<Nearest<R, C>> {
+pub(super) fn nearest<R: Real, const C: usize>(
+    sides: [&[Bound<R, C>; C]; 2],
+    allowed: R,
+) -> Option<Nearest<R, C>> {
     let zero = R::zero();
     let distance = |bound: &Bound<R, C>| {
         let length = bound.length();
@@ -89,7 +92,7 @@ pub(super) fn nearest<R: Real, const C: usize>(sides: [&[Bound<R, C>; C]; 2]) ->
     let (mut u, mut rest) = ([zero; C], Bound { least: R::one(), ..Bound::none() });
     // Each round makes the residual shorter, so none of the sets comes twice.
     for _ in 0..8 * C {
-        let mut most_lacking = (rounding(), None);
+        let mut most_lacking = (allowed, None);
         for (which, units) in units.iter().enumerate() {
             for (j, bound) in units.iter().enumerate().filter(|&(j, _)| side[j].is_none()) {
                 let lack = bound.product(&rest);
@@ -190,7 +193,7 @@ mod tests {
     #[track_caller]
     fn close<const C: usize>(rows: [[f64; C]; C], bounds: [f64; C], x: [f64; C]) {
         let Nearest { pushes: [y, none], point } =
-            nearest([&bounds_of(rows, bounds), &[Bound::none(); C]]).unwrap();
+            nearest([&bounds_of(rows, bounds), &[Bound::none(); C]], rounding()).unwrap();
         assert!(none == [0.0; C] && y.iter().all(|&y| y >= 0.0), "{y:?}");
         for (i, &wanted) in x.iter().enumerate() {
             let found: f64 = (0..C).map(|j| y[j] * rows[j][i]).sum();
@@ -235,7 +238,7 @@ mod tests {
     #[test]
     fn bounds_that_contradict_have_no_point() {
         let own = bounds_of([[1.0, 0.0], [-1.0, 0.0]], [1.0, 1.0]);
-        assert!(nearest([&own, &[Bound::none(); 2]]).is_none());
+        assert!(nearest([&own, &[Bound::none(); 2]], rounding()).is_none());
     }
 
     #[test]
@@ -244,7 +247,7 @@ mod tests {
         for force in [2.0, -2.0] {
             let own = bounds_of([[1.0, -1.0, 0.0], [0.0, 1.0, 1.0], [0.0, -1.0, -1.0]], [0.0, force, -force]);
             let back = bounds_of([[1.0, 1.0, 0.0], [0.0; 3], [0.0; 3]], [0.0; 3]);
-            let x = nearest([&own, &back]).unwrap().point;
+            let x = nearest([&own, &back], rounding()).unwrap().point;
             let wanted = [2.0 / 3.0, force / 3.0, 2.0 * force / 3.0];
             assert!(x.iter().zip(wanted).all(|(x, wanted)| (x - wanted).abs() < 1e-14), "{x:?}");
         }
@@ -258,7 +261,7 @@ mod tests {
             let turned = |[x, y]: [f64; 2]| [c * x - s * y, s * x + c * y, 0.0];
             let rows = [turned([1.0, 0.0]), turned([0.0, 1.0]), turned([-1.0, -1.0])];
             let own = bounds_of(rows, [1.0, 1.0, -2.0 - distance]);
-            let found = nearest([&own, &[Bound::none(); 3]]);
+            let found = nearest([&own, &[Bound::none(); 3]], rounding());
             assert_eq!(found.is_some(), distance > 0.0, "{distance}");
         }
     }

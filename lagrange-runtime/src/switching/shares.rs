@@ -123,6 +123,19 @@ where
         known: &[S::Scalar; C],
         sticking: Sticking,
     ) -> Option<[S::Scalar; C]> {
+        self.shortest_within(rounding(), bearing, drags, known, sticking)
+    }
+
+    /// The same, which may exceed limits, and change the motion, by a part `allowed`.
+    #[cold]
+    pub(super) fn shortest_within(
+        &self,
+        allowed: S::Scalar,
+        bearing: &Regime<S::Scalar, C, W>,
+        drags: &[S::Scalar; C],
+        known: &[S::Scalar; C],
+        sticking: Sticking,
+    ) -> Option<[S::Scalar; C]> {
         if S::ROWS.contains(&Row::Load) {
             return None;
         }
@@ -153,7 +166,7 @@ where
                     }
                 }
             }
-            let Nearest { pushes, point } = nearest([&sides[0], &sides[1]])?;
+            let Nearest { pushes, point } = nearest([&sides[0], &sides[1]], allowed)?;
             // Bounds that hardly differ enlarge their rounding errors, and with them what changes the motion.
             let held = project(&point);
             let found: [S::Scalar; C] = array(|i| base[i] + (point[i] - held[i]));
@@ -161,7 +174,7 @@ where
                 let cuts = self.cuts(row, bearing, &found, sticking);
                 cuts.into_iter().flatten().all(|Cut { normal, bound }| {
                     let slack = product(&normal, &normal).sqrt() * size + bound.abs();
-                    !above(bound - product(&normal, &found), rounding::<S::Scalar>() * slack)
+                    !above(bound - product(&normal, &found), allowed * slack)
                 })
             });
             if is_possible {
@@ -169,7 +182,7 @@ where
                 let again = project(&found);
                 let lost: [S::Scalar; C] = array(|row| again[row] - base[row]);
                 let far = size + product(&found, &found).sqrt();
-                if above(product(&lost, &lost).sqrt(), rounding::<S::Scalar>() * far) {
+                if above(product(&lost, &lost).sqrt(), allowed * far) {
                     return None;
                 }
                 return Some(array(|row| match S::ROWS[row] {

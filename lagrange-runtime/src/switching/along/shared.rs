@@ -11,7 +11,7 @@ use super::super::guards::{Guard, Guards, PLACES, Parts};
 use super::super::known::Known;
 use super::super::loose::{is_shared, may_share};
 use super::super::scales::Scales;
-use super::super::scene::{Scene, Sticking};
+use super::super::scene::{Scene, Sticking, rounding};
 use super::super::turning::has_pairs;
 use crate::motion::roots::{Fall, reach};
 use crate::number::elements::array;
@@ -26,11 +26,16 @@ const HALVINGS: usize = 64;
 /// for.
 const LOOKS: usize = 8;
 
+/// What shares may lack, in ulps of the furthest limit: roundings of the sums that they are made of.
+const EXACTLY: f64 = 16.0;
+
 /// How to tell whether shares are possible.
 #[derive(Clone, Copy)]
 enum Way {
     /// By their margin, to rounding.
     ByMargin,
+    /// To rounding. Where limits hardly differ, some shares are not found.
+    Exactly,
     /// As for the choice of a regime, which allows for the rounding errors of large forces.
     AsChosen,
 }
@@ -91,19 +96,19 @@ where
         let way = if is_within { Way::ByMargin } else { Way::AsChosen };
         let holds = |place: S::Scalar| self.holds(&course.at(self.start, place)[0], way);
         let mut low = zero;
-        let between = |mut low: S::Scalar, mut high: S::Scalar| {
-            for _ in 0..HALVINGS {
-                let middle = number(0.5) * (low + high);
-                if middle <= low || middle >= high {
-                    break;
-                }
-                if holds(middle) {
-                    low = middle;
-                } else {
-                    high = middle;
-                }
+        let between = |low: S::Scalar, high: S::Scalar| {
+            let [low, high] = halved(low, high, holds);
+            if has_cones {
+                return Fall { place: low, fallen: high };
             }
-            Fall { place: low, fallen: high }
+            // What the choice allows for is gone: back to where shares are possible without that.
+            let exactly = |place: S::Scalar| self.holds(&course.at(self.start, place)[0], Way::Exactly);
+            let mut back = S::Scalar::epsilon() * until;
+            while low > back && !exactly(low - back) {
+                back = back + back;
+            }
+            let place = if low > back { halved(low - back, low, exactly)[0] } else { low };
+            Fall { place, fallen: high }
         };
         for part in PLACES {
             let place = number(part) * until;
@@ -163,9 +168,29 @@ where
         let drags = scene.drags(self.regime, &state.v);
         match way {
             Way::ByMargin => scene.can_share(self.regime, &drags, &balance.multipliers),
-            Way::AsChosen => {
-                scene.shortest(self.regime, &drags, &balance.multipliers, Sticking::ByForces).is_some()
+            Way::Exactly | Way::AsChosen => {
+                let exactly = S::Scalar::from_f64(EXACTLY) * S::Scalar::epsilon();
+                let allowed = if matches!(way, Way::Exactly) { exactly } else { rounding() };
+                let (known, sticking) = (&balance.multipliers, Sticking::ByForces);
+                scene.shortest_within(allowed, self.regime, &drags, known, sticking).is_some()
             }
         }
     }
+}
+
+/// The place up to which something holds between one at which it does and one at which it does not, and the
+/// next one.
+fn halved<R: Ordered>(mut low: R, mut high: R, holds: impl Fn(R) -> bool) -> [R; 2] {
+    for _ in 0..HALVINGS {
+        let middle = R::from_f64(0.5) * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if holds(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    [low, high]
 }
