@@ -1,3 +1,5 @@
+//! A kinetic energy with a product of velocities alone.
+
 use lagrangian::prelude::*;
 
 pub struct Saddle;

@@ -1,3 +1,5 @@
+//! A sign taken from another number.
+
 use lagrangian::prelude::*;
 
 pub struct Well;

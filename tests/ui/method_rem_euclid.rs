@@ -1,3 +1,5 @@
+//! A remainder.
+
 use lagrangian::prelude::*;
 
 pub struct Well;

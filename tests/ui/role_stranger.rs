@@ -15,7 +15,7 @@ impl Pendulum {
         self.length * Vector2::new(q.theta.sin(), -q.theta.cos())
     }
 
-    #[gravity]
+    #[observed]
     fn gravity(&self, q: &Coordinates) -> f64 {
         self.mass * self.g * self.bob(q).y
     }

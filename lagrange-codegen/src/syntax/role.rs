@@ -30,6 +30,20 @@ const SUPPORTED: [&str; 12] = [
     "event",
 ];
 
+/// Words that others use for roles.
+const SYNONYMS: [(&str, &str); 10] = [
+    ("particle", "point"),
+    ("rigid_body", "body"),
+    ("gravity", "potential"),
+    ("spring", "potential"),
+    ("damping", "dissipation"),
+    ("damper", "dissipation"),
+    ("torque", "force"),
+    ("constraint", "holonomic"),
+    ("contact", "unilateral"),
+    ("guard", "event"),
+];
+
 /// Arguments of roles that may stand without a value.
 const FLAGS: [&str; 2] = ["eliminate", "chetaev"];
 
@@ -75,6 +89,7 @@ fn misspelt(name: &str) -> Option<&'static str> {
     }
     nearest(&name.to_lowercase(), SUPPORTED)
         .or_else(|| SUPPORTED.into_iter().find(|role| *role == name.to_lowercase() && *role != name))
+        .or_else(|| SYNONYMS.into_iter().find(|(word, _)| *word == name).map(|(_, role)| role))
 }
 
 /// Whether the arguments of an attribute contain the name of a role.

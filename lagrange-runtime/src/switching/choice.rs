@@ -164,6 +164,10 @@ where
         let is_coupled = S::ROWS.iter().zip(&self.status).any(|(row, &status)| {
             matches!(row, Row::Friction { normal: Some(_), .. }) && status != Status::Apart
         });
+        let held = |chosen: Choice<S::Scalar, N, C, W>, part: S::Scalar| {
+            let held = self.held_if_it_can(&chosen, part, decided, fired);
+            held.filter(|held| !ended.has(&S::ROWS, &held.regime)).unwrap_or(chosen)
+        };
         if combinations(&options) > FEW
             && let Some((chosen, part)) = self.pivoted(&options, decided, is_coupled)
             && !ended.has(&S::ROWS, &chosen.regime)
@@ -171,8 +175,7 @@ where
             if is_coupled && let Some(constraint) = self.another(&chosen, &options, part, decided) {
                 return Err(Cause::SeveralReactions { constraint, name: S::NAMES.constraint(constraint) });
             }
-            let held = self.held_if_it_can(&chosen, part, decided, fired);
-            return Ok(held.filter(|held| !ended.has(&S::ROWS, &held.regime)).unwrap_or(chosen));
+            return Ok(held(chosen, part));
         }
         let mut cause = Cause::NotFinite;
         for part in thresholds() {
@@ -212,8 +215,7 @@ where
                 return Err(Cause::SeveralReactions { constraint, name: S::NAMES.constraint(constraint) });
             }
             if let Some(chosen) = chosen {
-                let held = self.held_if_it_can(&chosen, part, decided, fired);
-                return Ok(held.filter(|held| !ended.has(&S::ROWS, &held.regime)).unwrap_or(chosen));
+                return Ok(held(chosen, part));
             }
         }
         Err(cause)

@@ -7,7 +7,7 @@
 //! Rows that almost contradict each other almost depend on each other: they are made orthogonal, since
 //! products of them would have the square of that small distance.
 
-use super::scene::{above, most, product, put, rounding};
+use super::scene::{above, entry, most, product, put, rounding};
 use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 
@@ -94,7 +94,8 @@ pub(super) fn nearest<R: Real, const C: usize>(
     for _ in 0..8 * C {
         let mut most_lacking = (allowed, None);
         for (which, units) in units.iter().enumerate() {
-            for (j, bound) in units.iter().enumerate().filter(|&(j, _)| side[j].is_none()) {
+            for (j, (bound, _)) in units.iter().zip(&side).enumerate().filter(|(_, (_, side))| side.is_none())
+            {
                 let lack = bound.product(&rest);
                 if above(lack, most_lacking.0) {
                     most_lacking = (lack, Some((which, j, *bound)));
@@ -110,12 +111,12 @@ pub(super) fn nearest<R: Real, const C: usize>(
             let own = own.each(|bound: Bound<R, C>| Bound { least: bound.least / unit, ..bound });
             let (u, rest) = among(&own, &side.each(|side: Option<usize>| side.is_some()))?;
             let factor = far * unit / rest.least;
-            let found = |which: usize| {
-                let enters = |j: usize| side[j] == Some(which);
-                array(|j| if enters(j) { factor * u[j] / sides[which][j].length() } else { zero })
+            let found = |which: usize, bounds: &[Bound<R, C>; C]| {
+                array(|j| if side[j] == Some(which) { factor * u[j] / bounds[j].length() } else { zero })
             };
-            let point = rest.row.each(|x: R| -x * (far * unit / rest.least));
-            return Some(Nearest { pushes: [found(0), found(1)], point });
+            let [first, second] = sides;
+            let point = rest.row.each(|x: R| -x * factor);
+            return Some(Nearest { pushes: [found(0, first), found(1, second)], point });
         };
         put(&mut own, j, bound);
         put(&mut side, j, Some(which));
@@ -136,7 +137,8 @@ pub(super) fn nearest<R: Real, const C: usize>(
             for (u, next) in u.iter_mut().zip(next) {
                 *u += share * (next - *u);
             }
-            (side[leaves], u[leaves]) = (None, zero);
+            put(&mut side, leaves, None);
+            put(&mut u, leaves, zero);
         }
     }
     None
@@ -149,35 +151,47 @@ fn among<R: Real, const C: usize>(
     enters: &[bool; C],
 ) -> Option<([R; C], Bound<R, C>)> {
     let zero = R::zero();
+    // Directions across those before, and the parts of a bound, and of (0, 1), along them.
     let mut across = [Bound::none(); C];
     let (mut triangle, mut parts) = ([[zero; C]; C], [zero; C]);
     let mut rest = Bound { least: R::one(), ..Bound::none() };
-    let entering = || (0..C).filter(|&j| enters[j]);
-    for j in entering() {
-        let mut own = bounds[j];
+    let entering = bounds.iter().zip(enters).enumerate().filter(|(_, (_, enters))| **enters);
+    for (j, (bound, _)) in entering {
+        let (mut own, mut row) = (*bound, [zero; C]);
         for _ in 0..2 {
-            for i in entering().take_while(|&i| i < j) {
-                let part = across[i].product(&own);
-                own = own.plus(-part, &across[i]);
-                triangle[i][j] += part;
+            for (direction, own_part) in across.iter().zip(&mut row) {
+                let part = direction.product(&own);
+                own = own.plus(-part, direction);
+                *own_part += part;
             }
         }
         let length = own.product(&own).sqrt();
         if !above(length, R::epsilon()) {
             return None;
         }
-        triangle[j][j] = length;
-        across[j] = Bound::none().plus(length.recip(), &own);
+        put(&mut row, j, length);
+        let direction = Bound::none().plus(length.recip(), &own);
+        let mut along = zero;
         for _ in 0..2 {
-            let part = across[j].product(&rest);
-            rest = rest.plus(-part, &across[j]);
-            parts[j] += part;
+            let part = direction.product(&rest);
+            rest = rest.plus(-part, &direction);
+            along += part;
         }
+        put(&mut triangle, j, row);
+        put(&mut across, j, direction);
+        put(&mut parts, j, along);
     }
+    // From the last one back: what is known of a bound is taken from those before it.
     let mut u = [zero; C];
-    for i in entering().rev() {
-        let known = entering().filter(|&j| j > i).fold(parts[i], |known, j| known - triangle[i][j] * u[j]);
-        u[i] = known / triangle[i][i];
+    let entering = triangle.iter().zip(enters).enumerate().filter(|(_, (_, enters))| **enters);
+    for (j, (row, _)) in entering.rev() {
+        let known = entry(&parts, j) / entry(row, j);
+        put(&mut u, j, known);
+        for (i, (part, &along)) in parts.iter_mut().zip(row).enumerate() {
+            if i < j {
+                *part -= known * along;
+            }
+        }
     }
     Some((u, rest))
 }
