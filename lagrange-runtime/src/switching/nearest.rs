@@ -67,8 +67,8 @@ pub(super) struct Nearest<R, const C: usize> {
     pub(super) point: [R; C],
 }
 
-/// The shortest x, which may lack a part `allowed` of the distance of the furthest bound. `None` where there
-/// is none, or none nearer than some 1/√[`rounding`] times that distance.
+/// The shortest x. It may lack a part `allowed` of the distance of the furthest bound. `None` if no x meets
+/// the bounds, or if the shortest is longer than about 1/√[`rounding`] of these distances.
 ///
 /// Two bounds of a row are those of a friction in its two directions. Where both are met exactly, so is that
 /// of the reaction that limits it, so one of them is enough.

@@ -263,7 +263,7 @@ where
                 None => self.memory.next = Some((self.memory.regime, state)),
                 Some(Ok(())) => {}
                 Some(Err(cause)) => {
-                    // Who asks for less than the piece does not come to its end.
+                    // A target within the piece lies before the error.
                     self.memory.stuck = Some(cause);
                     return if has_passed { Ok(()) } else { Err(at(&state, cause)) };
                 }
