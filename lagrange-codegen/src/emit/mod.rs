@@ -132,7 +132,8 @@ pub(crate) fn emit(
     };
     let system = match &switching {
         Some(switching) if has_contacts => regimes::system(&emission, switching, &constants),
-        _ => system,
+        Some(switching) => system + &regimes::passed(&emission, switching),
+        None => system,
     };
     let system = system + &readings::implementation(&mut emission);
     let (mut methods, sides) = methods::methods(&mut emission);

@@ -16,6 +16,7 @@ use crate::expr::{Dependence, NodeId};
 use crate::model::{Law, Normal};
 use crate::regimes::Regimes;
 use crate::syntax::Scalar;
+pub(super) use jumps::passed;
 
 /// The name of the struct of one regime, which no user writes.
 const NAME: &str = "__InRegime";

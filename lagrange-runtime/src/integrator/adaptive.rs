@@ -182,6 +182,27 @@ where
         exactly: bool,
         attempts: &mut u64,
     ) -> Result<(), MotionError<S::Scalar>> {
+        self.watchful(memory, limits, target, exactly, attempts)?;
+        if S::JUMPS {
+            let (from, to) = (memory.start.state, memory.end.state);
+            if let Err(cause) = self.system.passed_at(&from, &to, &self.control.inputs(&from)) {
+                memory.rewind();
+                return Err(MotionError { cause, t: from.t });
+            }
+        }
+        Ok(())
+    }
+
+    /// The same without a look at what the step has passed.
+    #[inline]
+    fn watchful(
+        &self,
+        memory: &mut Dop853Memory<S::Scalar, N>,
+        limits: &Limits<S::Scalar>,
+        target: S::Scalar,
+        exactly: bool,
+        attempts: &mut u64,
+    ) -> Result<(), MotionError<S::Scalar>> {
         if !S::STEEP {
             return self.stride(memory, limits, target, exactly, attempts);
         }

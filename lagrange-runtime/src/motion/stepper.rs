@@ -89,6 +89,9 @@ where
             next = energy::mended::<S, M, N, K>(&mut self.memory, system, constants, ends, h, u)
                 .map_err(|cause| MotionError { cause, t: from.t })?;
         }
+        if S::JUMPS && !M::SWITCHES {
+            self.system.passed_at(from, &next, u).map_err(|cause| MotionError { cause, t: from.t })?;
+        }
         self.residue = increment - (next.t - from.t);
         if let Some(settled) = attitude::settle(S::ORIENTATIONS, &next) {
             (next, self.memory) = (settled, M::begin(self.system));

@@ -6,7 +6,7 @@ use super::sided::along;
 use super::way::shift;
 use super::{Regime, Row, Switching, Wanted};
 use crate::number::elements::{Each, array};
-use crate::number::real::{Ordered, Real};
+use crate::number::real::{Ordered, Real, any};
 use crate::number::rounded::Rounded;
 use crate::system::control::Held;
 use crate::system::error::Cause;
@@ -55,14 +55,11 @@ where
     /// Refuses a kink at which an energy or a momentum jumps.
     fn passable(&mut self, kink: usize, state: &State<S::Scalar, N>) -> Result<(), Cause> {
         let name = S::KINKS.get(kink).copied().unwrap_or(Name::NONE);
+        // An energy that jumps would act by a force at one point, which no equation contains.
         let energy_at = |State { t, q, v }: &State<S::Scalar, N>| {
             self.system.jumps_at(*t, q, v, &self.control.0).each(|numbers| entry(&numbers, kink))
         };
-        let ([gain, size], start) = (energy_at(state), &self.memory.start);
-        // An energy that jumps would act by a force at one point, which no equation contains.
-        if above(gain.abs(), S::Scalar::epsilon().sqrt() * size)
-            && above(gain.abs(), roundings(state, start, &|at| energy_at(at)[0]))
-        {
+        if jumps(state, &self.memory.start, &energy_at) {
             return Err(Cause::EnergyJumps { kink, name });
         }
         if self.has_corner(kink, state) {
@@ -231,6 +228,18 @@ where
             Some(row) => Err(Cause::VanishingGradient { constraint: row, name: S::NAMES.constraint(row) }),
         }
     }
+}
+
+/// Whether a quantity jumps at a state: its gain counts beside Σ |summands|, and rounding errors of the state
+/// do not explain it. `quantity` gives the gain and Σ |summands|.
+pub(super) fn jumps<R: Real, const N: usize>(
+    here: &State<R, N>,
+    elsewhere: &State<R, N>,
+    quantity: &impl Fn(&State<R, N>) -> [R; 2],
+) -> bool {
+    let [gain, size] = quantity(here);
+    let counts = gain.abs() - R::epsilon().sqrt() * size;
+    any(counts) && any(counts.min(gain.abs() - roundings(here, elsewhere, &|at| quantity(at)[0])))
 }
 
 /// What the rounding errors of a state make of a function. Those of a coordinate belong to its largest value,

@@ -40,6 +40,7 @@ mod narrow;
 mod nearest;
 mod overloads;
 mod pace;
+mod passed;
 mod pivoting;
 mod place;
 mod reactions;
@@ -73,6 +74,8 @@ pub use alone::{accelerations, multipliers};
 pub use contacts::{Contact, NamedRows, Switch};
 pub use hybrid::Hybrid;
 pub use memory::HybridMemory;
+#[doc(hidden)]
+pub use passed::passed;
 pub use steps::StepsMemory;
 
 /// The meaning of a row of the constraint matrix.

@@ -239,6 +239,26 @@ pub trait System<const N: usize, const K: usize = 0> {
         Ok(())
     }
 
+    /// Whether an energy, a momentum or a constraint may jump at a kink, where methods that do not look for
+    /// kinks have to ask [`System::passed_at`].
+    #[doc(hidden)]
+    const JUMPS: bool = false;
+
+    /// Refuses a step across a kink at which something jumps that no force can make jump.
+    ///
+    /// # Errors
+    /// [`Cause::EnergyJumps`], [`Cause::MomentumJumps`], [`Cause::GapJumps`].
+    #[doc(hidden)]
+    #[inline(always)]
+    fn passed_at(
+        &self,
+        _from: &State<Self::Scalar, N>,
+        _to: &State<Self::Scalar, N>,
+        _inputs: &[Self::Scalar; K],
+    ) -> Result<(), Cause> {
+        Ok(())
+    }
+
     /// T + V, or the energy function v·∂L/∂v − L where L is given directly.
     fn energy_at(
         &self,

@@ -1,5 +1,6 @@
 //! Corners: momenta and constraints that have two values at a kink are named, and smooth joints are passed.
 
+use lagrangian::Cause;
 use lagrangian::prelude::*;
 
 use super::TIGHT;
@@ -108,4 +109,26 @@ fn a_smooth_joint_is_passed() {
     // As high on the flatter side.
     let top = reduced.advance_to_event(|state: &State<f64, 1>| state.v[0], 20.0).unwrap().unwrap().state.q[0];
     close_on(1.0, top.abs(), if top > 0.0 { 2.0_f64.sqrt() } else { 1.0 }, 1e-11);
+}
+
+/// The error of a motion in steps of Rk4.
+fn by_steps<S: System<2, Scalar = f64>>(system: &S, start: State<f64, 2>) -> Option<Cause> {
+    let mut motion = system.stepper::<Rk4>(start);
+    (0..1000).find_map(|_| motion.step(2e-3, &[]).err()).map(|error| error.cause)
+}
+
+#[test]
+fn corners_are_met_by_methods_that_look_for_no_kinks() {
+    let cause = by_steps(&Track, State::new([-1.0, 0.0], [1.0, 0.0]));
+    assert!(
+        matches!(cause, Some(Cause::MomentumJumps { name, .. }) if name.as_str() == "particle"),
+        "{cause:?}"
+    );
+    let mut motion = Track.simulate_with::<Dop853>(State::new([-1.0, 0.0], [1.0, 0.0]));
+    let error = motion.advance_to(2.0).unwrap_err();
+    assert!(
+        matches!(error.cause, Cause::MomentumJumps { name, .. } if name.as_str() == "particle"),
+        "{error}"
+    );
+    assert_eq!(by_steps(&Joined, State::at_rest([-1.0, 1.0])), None);
 }

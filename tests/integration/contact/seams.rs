@@ -1,5 +1,5 @@
-//! Where pieces of a motion end: lift-off within a step, loads far from time zero, errors behind the time that
-//! is asked for, energies that jump.
+//! Where pieces of a motion end: lift-off within a step, loads far from time zero, errors behind the time
+//! that is asked for, energies that jump.
 
 use lagrangian::Cause;
 use lagrangian::prelude::*;
@@ -187,5 +187,67 @@ fn an_energy_that_jumps_is_met_by_all_steps() {
         let error = (0..500).find_map(|_| motion.step(length, &[]).err()).unwrap();
         assert!(matches!(error.cause, Cause::EnergyJumps { .. }), "{error}");
         assert!(motion.state().q[0] <= 1.0);
+    }
+}
+
+/// A body that meets a prestressed spring: the force jumps, the energy does not.
+struct Spring {
+    stiffness: f64,
+    force: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Spring {
+    #[point(mass = 1.0)]
+    fn body(&self, q: &Coordinates) -> f64 {
+        q.x
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        let pressed = q.x - 1.0;
+        let held = if q.x < 1.0 { 0.0 } else { (0.5 * self.stiffness * pressed + self.force) * pressed };
+        held + 0.5 * q.x * q.x
+    }
+}
+
+/// The error of a motion in steps of a classical method, and how far it has come.
+fn by_steps<S, M>(system: &S, start: State<f64, 1>, h: f64) -> (Option<Cause>, f64)
+where
+    S: System<1, Scalar = f64>,
+    M: lagrangian::FixedStep<S, 1, 0>,
+{
+    let mut motion = system.stepper::<M>(start);
+    let error = (0..500).find_map(|_| motion.step(h, &[]).err());
+    (error.map(|error| error.cause), motion.state().q[0])
+}
+
+#[test]
+fn an_energy_that_jumps_is_met_by_methods_that_look_for_no_kinks() {
+    let start = State::new([0.0], [0.5]);
+    for h in [0.01, 0.3, 5.0] {
+        for (cause, reached) in
+            [by_steps::<_, Rk4>(&Step, start, h), by_steps::<_, Leapfrog>(&Step, start, h)]
+        {
+            assert!(matches!(cause, Some(Cause::EnergyJumps { .. })), "{cause:?}");
+            assert!(reached < 1.0);
+        }
+    }
+    let mut motion = Step.simulate_with::<Dop853>(start);
+    for _ in 0..2 {
+        let error = motion.advance_to(5.0).unwrap_err();
+        assert!(matches!(error.cause, Cause::EnergyJumps { .. }), "{error}");
+        assert!(motion.state().q[0] < 1.0);
+    }
+}
+
+#[test]
+fn a_force_that_jumps_is_passed_by_methods_that_look_for_no_kinks() {
+    let mut samples = Samples::new(23);
+    for _ in 0..50 {
+        let spring = Spring { stiffness: samples.number(0.1, 1e4), force: samples.number(0.0, 10.0) };
+        let start = State::new([samples.number(-2.0, 1.0)], [samples.number(-3.0, 3.0)]);
+        assert_eq!(by_steps::<_, Rk4>(&spring, start, 1e-3).0, None);
+        spring.simulate_with::<Dop853>(start).advance_to(1.0).unwrap();
     }
 }

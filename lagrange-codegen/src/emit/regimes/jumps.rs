@@ -1,10 +1,31 @@
 //! Quantities with two values at a kink.
+//!
+//! None of these items is there where no quantity has two.
 
 use super::super::Emission;
 use super::super::body::{self, Source};
 use crate::calculus::sizes;
 use crate::expr::NodeId;
 use crate::regimes::Regimes;
+
+/// `passed_at`, which asks for the others behind each step of a method that does not look for kinks.
+pub(in crate::emit) fn passed(emission: &Emission<'_>, switching: &Regimes) -> String {
+    let graph = &switching.rows.graph;
+    let is_even = switching.jumps.iter().all(|&jump| graph.is_zero(jump));
+    if is_even && switching.corners.is_empty() && switching.breaks.is_empty() {
+        return String::new();
+    }
+    let (scalar, inputs) = (&emission.scalar, emission.input_type());
+    let (count, given) = (emission.count(), emission.model.inputs.len());
+    let (rows, kinks) = (switching.rows(), switching.kinks.len());
+    let state = format!("&lagrange::State<{scalar}, {count}>");
+    format!(
+        "const JUMPS: bool = true;\n\
+         fn passed_at(&self, from: {state}, to: {state}, u: &{inputs}) \
+         -> ::core::result::Result<(), lagrange::Cause> {{\n\
+         lagrange::switching::passed::<Self, {count}, {given}, {rows}, {kinks}>(self, from, to, u)\n}}\n"
+    )
+}
 
 /// `jumps_at`, if the energy jumps at a kink.
 pub(super) fn jumps(emission: &Emission<'_>, switching: &mut Regimes) -> String {

@@ -40,13 +40,8 @@ where
             Row::Bilateral | Row::Load => reaction(row),
             Row::Unilateral if is_active => reaction(row),
             Row::Unilateral => {
-                let mut gap = function(row)?;
-                // Likewise a gap that opens does not accelerate back: its acceleration is a rounding error of
-                // forces where its reaction has just vanished.
-                if self.has_begun(guard) && gap.coefficients[2] < num_traits::Zero::zero() {
-                    gap.coefficients[2] = num_traits::Zero::zero();
-                }
-                Some(gap)
+                let gap = function(row)?;
+                Some(if self.has_begun(guard) { without_return(gap, 2) } else { gap })
             }
             Row::Friction { normal, pair } if is_active => {
                 let (known, fixed) = match direction {
@@ -69,14 +64,8 @@ where
                 Some(left.plus(minus, &square(&reaction(other)?)))
             }
             Row::Friction { pair: None, .. } => {
-                let mut slip = function(row)?.scaled(self.regime.slip[row]);
-                // A slip that begins does not accelerate back, or another regime would have been chosen.
-                // Where friction has just reached its limit, its acceleration is a rounding error of the
-                // forces that it is a difference of.
-                if self.has_begun(guard) && slip.coefficients[1] < num_traits::Zero::zero() {
-                    slip.coefficients[1] = num_traits::Zero::zero();
-                }
-                Some(slip)
+                let slip = function(row)?.scaled(self.regime.slip[row]);
+                Some(if self.has_begun(guard) { without_return(slip, 1) } else { slip })
             }
             Row::Friction { pair: Some(other), .. } => {
                 let directions = self.directions();
@@ -110,4 +99,16 @@ where
             || is_held && curve.start() < num_traits::Zero::zero();
         if begins { Before::Zero } else { Before::Unknown }
     }
+}
+
+/// A gap or slip that has just begun, whose power `order` does not lead it back.
+///
+/// Neither accelerates back, or another regime would have been chosen. Where a reaction has just vanished or
+/// friction has just reached its limit, the acceleration is a rounding error of the forces that it is a
+/// difference of.
+fn without_return<T: Real + Ordered>(mut curve: Taylor<T>, order: usize) -> Taylor<T> {
+    if let Some(first) = curve.coefficients.get_mut(order).filter(|first| **first < T::zero()) {
+        *first = T::zero();
+    }
+    curve
 }
