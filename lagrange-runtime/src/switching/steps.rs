@@ -13,7 +13,7 @@ use super::{Hybrid, HybridMemory, Regime, Switching};
 use crate::integrator::jets::JetsMemory;
 use crate::integrator::jets::paced::Paced;
 use crate::integrator::{Jet, Limits};
-use crate::number::elements::{Each, array};
+use crate::number::elements::Each;
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::control::Held;
@@ -134,18 +134,25 @@ where
         }
         let inputs = &self.control.0;
         let a = memory.in_regime.accelerations_at(&memory.constants, now, &q, &v, inputs);
-        // Slips are linear in velocities.
-        let [own, gained] =
-            [v, array(|i| v[i] + a[i])].each(|v| self.system.laws_at(now, &q, &v, inputs).rows.rates);
+        let own = self.system.laws_at(now, &q, &v, inputs).rows.rates;
+        let all = Regime { active: [true; C], kinks: memory.regime.kinks, ..Regime::open(&S::ROWS) };
+        let Some(rows) = S::rows_in(&self.system.in_regime(&all), now, &q, &v, inputs) else { return t };
+        // The rate of a slip: A a − γ.
+        let rate = |row: usize| {
+            let gradient = rows.gradients.get(row).into_iter().flatten();
+            let along = gradient.zip(&a).map(|(&entry, &a)| entry * a);
+            along.fold(-entry(&rows.gamma, row), |sum, term| sum + term)
+        };
         let mut least = (t - now).abs();
         for [row, other] in pairs(&S::ROWS).filter(|[row, _]| slips(*row)) {
             let [x, y] = [row, other].each(|row| entry(&own, row));
-            let [gain_x, gain_y] = [row, other].each(|row| entry(&gained, row) - entry(&own, row));
+            let [gain_x, gain_y] = [row, other].each(rate);
             let (slip, gain) = (x.hypot(y), gain_x.hypot(gain_y));
-            // A slip that comes to rest does so in a straight line.
-            let grows = (x * gain_x + y * gain_y).is_positive();
-            if grows && slip.is_positive() && above(least * gain, slip) {
-                least = slip / gain;
+            // A slip that comes to rest does so in a straight line, on which the series goes on beyond it.
+            let falls = !(x * gain_x + y * gain_y).is_positive();
+            let within = if falls { slip + slip } else { slip };
+            if slip.is_positive() && above(least * gain, within) {
+                least = within / gain;
             }
         }
         if above((t - now).abs(), least) { now + if above(t, now) { least } else { -least } } else { t }

@@ -43,6 +43,7 @@ mod reactions;
 mod refused;
 mod relief;
 mod rocking;
+mod rolls;
 mod seams;
 mod sides;
 mod slider_crank;
