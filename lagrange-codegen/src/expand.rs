@@ -88,6 +88,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     if diagnostics.has_errors() {
         return None;
     }
+    regimes::untie(&mut model);
     let described = (!model.turning.is_empty()).then(|| model.clone());
     let turning = mechanics::turning(&mut model);
     eliminate::in_parameters(&mut model);

@@ -175,6 +175,8 @@ messages! {
     question_mark() = "`?` cannot leave a role early; its result has a value everywhere";
     conditional_code() = "whether this is there is decided after the macro has run; put `cfg` on the impl block, and write \
         one block for each case";
+    unknown_length(length, function) = "`{length}` of `{function}` does not follow from these arguments; pass an array, \
+        vector or matrix whose size is written in the description";
     local_item(name) = "`{name}` is declared inside this function, where the macro does not look into it; use functions and \
         constants of this impl block";
     captured_change(name) = "when this closure runs is up to the iterator, so the macro cannot tell what becomes of \

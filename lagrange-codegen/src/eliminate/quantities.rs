@@ -4,10 +4,16 @@ use crate::calculus::substitute;
 use crate::expr::{Node, NodeId};
 use crate::model::{Action, Attitude, Contact, Eliminated, Law, Lever, Model, Rotation, RotationForm};
 
-/// Replaces nodes in all quantities of a model. Names and origins go with them.
-pub(crate) fn rewrite(model: &mut Model, replacements: &[(NodeId, NodeId)]) {
+/// All quantities of a model.
+pub(crate) fn roots(model: &mut Model) -> Vec<NodeId> {
     let mut roots = Vec::new();
     visit(model, &mut |node| roots.push(*node));
+    roots
+}
+
+/// Replaces nodes in all quantities of a model. Names and origins go with them.
+pub(crate) fn rewrite(model: &mut Model, replacements: &[(NodeId, NodeId)]) {
+    let roots = roots(model);
     let cone = model.graph.cone(roots);
     let images = substitute(&mut model.graph, &cone, replacements);
     for (&node, &image) in cone.iter().zip(&images) {

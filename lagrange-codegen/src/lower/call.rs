@@ -2,20 +2,12 @@
 
 use super::advice::{argument_count, counted};
 use super::interpreter::Interpreter;
+use super::lengths::Lengths;
 use super::shape::Shape;
-use super::value::{ClosureId, Value};
+use super::value::{Callable, ClosureId, Value};
 use crate::diagnostics::{Origin, catalogue};
 use crate::syntax::body::{Closure, Expr, ExprKind, Name, Owner, Path, Statement, Word};
 use crate::syntax::velocity::SUFFIX;
-
-/// A function that can be passed where a closure is expected.
-#[derive(Clone, Copy)]
-pub enum Callable<'a> {
-    /// `|x| …`.
-    Closure(&'a Closure),
-    /// `f64::sin`, `Self::rate`.
-    Path(&'a Path),
-}
 
 impl<'a> Interpreter<'a> {
     /// `self.name(arguments)` or `Self::name(arguments)`; `with_self` tells whether `self` was
@@ -55,14 +47,13 @@ impl<'a> Interpreter<'a> {
     pub fn arguments(&mut self, name: &str, arguments: &'a [Expr]) -> Vec<Value> {
         let item = self.item;
         let function = item.functions.iter().find(|function| *function.name == *name);
-        let parameters = function.map_or(&[][..], |function| &function.parameters);
+        // Const parameters follow from the arguments, so the types say nothing before.
+        let function = function.filter(|function| function.lengths.is_empty());
+        let shapes = function.map(|function| self.parameter_shapes(function, &Lengths::new()));
+        let shapes = shapes.unwrap_or_default();
         let mut values = Vec::with_capacity(arguments.len());
         for (position, argument) in arguments.iter().enumerate() {
-            let shape = match parameters.get(position) {
-                Some(parameter) => self.shape(&parameter.ty),
-                None => Shape::Any,
-            };
-            values.push(self.expression_as(argument, &shape));
+            values.push(self.expression_as(argument, shapes.get(position).unwrap_or(&Shape::Any)));
         }
         values
     }
@@ -94,7 +85,8 @@ impl<'a> Interpreter<'a> {
                 .collect();
             return self.refuse(origin, catalogue::recursion(cycle.join("` → `")));
         }
-        let (shaped, key) = self.shaped(index, arguments, origin);
+        let Some(lengths) = self.lengths(function, &arguments, origin) else { return Value::Unknown };
+        let (shaped, key) = self.shaped(index, arguments, &lengths, origin);
         if let Some(value) = self.memo.get(&key) {
             return value.clone();
         }
@@ -106,6 +98,7 @@ impl<'a> Interpreter<'a> {
         let was_in_attribute = std::mem::replace(&mut self.in_attribute, false);
         let mark = self.scope.enter();
         let (later, lazy) = (std::mem::take(&mut self.later), self.lazy.take());
+        self.bind_lengths(&lengths);
         for (argument, parameter) in shaped.into_iter().zip(&function.parameters) {
             self.bind(&parameter.pattern, argument);
         }
@@ -140,14 +133,13 @@ impl<'a> Interpreter<'a> {
         &mut self,
         index: usize,
         arguments: Vec<Value>,
+        lengths: &Lengths,
         origin: Origin,
     ) -> (Vec<Value>, (usize, Vec<u64>)) {
-        let function = &self.item.functions[index];
-        let mut shaped = Vec::with_capacity(arguments.len());
-        for (argument, parameter) in arguments.into_iter().zip(&function.parameters) {
-            let shape = self.shape(&parameter.ty);
-            shaped.push(self.coerce(argument, &shape, origin));
-        }
+        let shapes = self.parameter_shapes(&self.item.functions[index], lengths);
+        let pairs = arguments.into_iter().zip(&shapes);
+        let shaped: Vec<Value> =
+            pairs.map(|(argument, shape)| self.coerce(argument, shape, origin)).collect();
         let mut key = Vec::new();
         shaped.iter().for_each(|argument| argument.fingerprint(&mut key));
         (shaped, (index, key))
@@ -180,7 +172,12 @@ impl<'a> Interpreter<'a> {
         if closure.is_move {
             return self.refuse(origin, catalogue::moving_closure());
         }
-        self.closures.push((closure, self.scope.view()));
+        self.kept(Callable::Closure(closure))
+    }
+
+    /// A function in a variable.
+    pub fn kept(&mut self, callable: Callable<'a>) -> Value {
+        self.closures.push((callable, self.scope.view()));
         Value::Closure(ClosureId(self.closures.len() - 1))
     }
 
@@ -194,11 +191,11 @@ impl<'a> Interpreter<'a> {
 
     /// Calls a closure from a variable.
     pub fn apply_stored(&mut self, id: ClosureId, arguments: Vec<Value>, origin: Origin) -> Value {
-        let (closure, view) = self.closures[id.0].clone();
+        let (callable, view) = self.closures[id.0].clone();
         let Some(here) = self.scope.look(&view) else {
             return self.refuse(origin, catalogue::escaped_closure());
         };
-        let value = self.apply(Callable::Closure(closure), arguments, origin);
+        let value = self.apply(callable, arguments, origin);
         self.scope.look_back(here);
         value
     }

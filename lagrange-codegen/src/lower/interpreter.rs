@@ -9,13 +9,13 @@ use super::rounded::Rounded;
 use super::scalar::LARGEST_POWER;
 use super::scope::{Scope, View};
 use super::shape::Shape;
-use super::value::Value;
+use super::value::{Callable, Value};
 use crate::collections::Lookup;
 use crate::diagnostics::{Diagnostics, Origin, catalogue};
 use crate::expr::{Graph, Node, NodeId};
 use crate::model::{Meaning, Model};
 use crate::number::Number;
-use crate::syntax::body::{Closure, Expr, ExprKind, Name, Owner};
+use crate::syntax::body::{Expr, ExprKind, Name, Owner};
 use crate::syntax::integers::Integers;
 use crate::syntax::{Item, Record};
 
@@ -106,7 +106,7 @@ pub struct Interpreter<'a> {
     /// variables below are outside the closure.
     pub lazy: Option<usize>,
     /// Closures in variables, with what they have in sight.
-    pub closures: Vec<(&'a Closure, View)>,
+    pub closures: Vec<(Callable<'a>, View)>,
     /// The names whose meaning the emitted statements check so far.
     meant: Lookup<String, ()>,
     /// Whether an attribute argument such as a mass is evaluated.
@@ -267,10 +267,7 @@ impl<'a> Interpreter<'a> {
             ExprKind::Method(call) => self.method(call, origin),
             ExprKind::Tuple(elements) if elements.is_empty() => Value::Unit,
             ExprKind::Tuple(elements) => Value::tuple(self.expressions(elements)),
-            ExprKind::Array(elements) => {
-                let elements = self.expressions(elements);
-                Value::array(elements)
-            }
+            ExprKind::Array(elements) => Value::array(self.expressions(elements)),
             ExprKind::Repeat(element, length) => {
                 let element = self.expression(element);
                 match self.length(length) {
@@ -295,6 +292,7 @@ impl<'a> Interpreter<'a> {
             ExprKind::Break(label) => self.leave(Flow::Break(label.clone())),
             ExprKind::Continue(label) => self.leave(Flow::Continue(label.clone())),
             ExprKind::Closure(closure) => self.stored(closure, origin),
+            ExprKind::Wild => self.refuse(origin, catalogue::unsupported_syntax("`_`")),
             ExprKind::Unsupported(message) => self.refuse(origin, message.clone()),
         };
         // Arrays share their elements, but a walk over an array pays for each element.

@@ -1,8 +1,7 @@
 //! Arrays, ranges and iterators, unrolled.
 
-use super::call::Callable;
 use super::interpreter::Interpreter;
-use super::value::Value;
+use super::value::{Callable, Value};
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::NodeId;
 use crate::number::Number;

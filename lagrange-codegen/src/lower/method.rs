@@ -224,6 +224,9 @@ impl<'a> Interpreter<'a> {
             }
             ("min", [Value::Integer(other, ..)]) => Some(value.min(*other)),
             ("max", [Value::Integer(other, ..)]) => Some(value.max(*other)),
+            ("clamp", [Value::Integer(least, ..), Value::Integer(largest, ..)]) if least <= largest => {
+                Some(value.clamp(*least, *largest))
+            }
             ("rem_euclid", [Value::Integer(other, ..)]) => value.checked_rem_euclid(*other),
             ("div_euclid", [Value::Integer(other, ..)]) => value.checked_div_euclid(*other),
             ("div_ceil", [Value::Integer(other, ..)]) if *other > 0 => {

@@ -2,7 +2,8 @@
 
 use super::interpreter::Interpreter;
 use super::rounded::Rounded;
-use super::value::Value;
+use super::scalar;
+use super::value::{Callable, Value};
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::Dependence;
 use crate::number::Number;
@@ -41,6 +42,7 @@ impl<'a> Interpreter<'a> {
             },
             Owner::SelfType => match self.associated_constant(&path.last) {
                 Some(value) => value,
+                None if self.is_helper(&path.last) => self.kept(Callable::Path(path)),
                 None if is_constant_name(&path.last) => self.foreign_constant(path),
                 None => {
                     let names: Vec<Name> = self.item.constants.iter().map(|c| c.name.clone()).collect();
@@ -58,10 +60,16 @@ impl<'a> Interpreter<'a> {
                 "NEG_INFINITY" => {
                     self.known_constant(path, Number::Float(f64::NEG_INFINITY, 0.0), "-1.0 / 0.0")
                 }
+                name if scalar::METHODS.contains(&name) => self.kept(Callable::Path(path)),
                 _ => self.other_path(path),
             },
             Owner::Type(_) | Owner::Other(_) => self.other_path(path),
         }
+    }
+
+    /// Whether a function of the block can be called without `self`.
+    fn is_helper(&self, name: &str) -> bool {
+        self.item.functions.iter().any(|function| *function.name == *name && !function.receiver)
     }
 
     /// What stands in a type or module that the macro cannot see.

@@ -4,8 +4,8 @@ use super::advice::counted;
 use super::interpreter::Interpreter;
 use super::path::is_constant_name;
 use super::value::Value;
-use crate::diagnostics::catalogue;
-use crate::syntax::body::{Name, Pattern, PatternKind};
+use crate::diagnostics::{Origin, catalogue};
+use crate::syntax::body::{Expr, Name, Pattern, PatternKind};
 use crate::syntax::hygiene::written;
 use crate::syntax::suggest::nearest;
 
@@ -71,6 +71,22 @@ impl<'a> Interpreter<'a> {
             self.report(pattern.origin, catalogue::pattern_mismatch(value.describe()));
         }
         None
+    }
+
+    /// Assigns the elements of a value to as many places, from left to right.
+    pub fn assign_parts(&mut self, places: &'a [Expr], value: Value, origin: Origin) {
+        let parts = match value {
+            Value::Tuple(parts) | Value::Array(parts) if parts.len() == places.len() => parts,
+            Value::Tuple(parts) | Value::Array(parts) => {
+                let (given, taken) = (counted(places.len(), "name"), counted(parts.len(), "element"));
+                return self.report(origin, catalogue::pattern_length(given, taken));
+            }
+            Value::Unknown => return,
+            other => return self.report(origin, catalogue::pattern_mismatch(other.describe())),
+        };
+        for (place, part) in places.iter().zip(parts.iter()) {
+            self.assign_value(place, part.clone(), origin);
+        }
     }
 
     fn bind_list(&mut self, patterns: &'a [Pattern], elements: Option<Vec<Value>>, whole: &'a Pattern) {

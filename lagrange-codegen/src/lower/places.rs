@@ -7,6 +7,7 @@
 use std::rc::Rc;
 
 use super::interpreter::Interpreter;
+use super::lengths::Lengths;
 use super::value::Value;
 use crate::collections::Lookup;
 use crate::expr::{NodeId, Variable};
@@ -28,7 +29,7 @@ impl Interpreter<'_> {
                 continue;
             }
             let Some(arguments) = self.role_arguments(index) else { continue };
-            let (_, key) = self.shaped(index, arguments, function.origin);
+            let (_, key) = self.shaped(index, arguments, &Lengths::new(), function.origin);
             let Some(value) = self.result(index) else { continue };
             let stand_in = self.stand_in(&value);
             let moving = item.velocities.iter().position(|velocity| velocity.function == index);

@@ -164,8 +164,18 @@ impl<'a> Interpreter<'a> {
     pub fn assign(&mut self, place: &'a Expr, value: &'a Expr) -> Value {
         let origin = value.origin;
         let value = self.expression(value);
-        if matches!(&place.kind, ExprKind::Path(path) if &*path.last == "_") {
-            return Value::Unit;
+        self.assign_value(place, value, origin);
+        Value::Unit
+    }
+
+    /// Assigns a value to a place, or its parts to several: `(a, b) = (b, a)`.
+    pub fn assign_value(&mut self, place: &'a Expr, value: Value, origin: Origin) {
+        match &place.kind {
+            ExprKind::Wild => return,
+            ExprKind::Tuple(places) | ExprKind::Array(places) => {
+                return self.assign_parts(places, value, place.origin);
+            }
+            _ => {}
         }
         if let Some(place) = self.place(place) {
             let before = self.read(&place);
@@ -179,7 +189,6 @@ impl<'a> Interpreter<'a> {
             self.hint(&value, &place.name);
             self.write(&place, value, origin);
         }
-        Value::Unit
     }
 
     /// `place += value` and the like.

@@ -9,6 +9,7 @@ use super::rounded::Rounded;
 use crate::expr::NodeId;
 use crate::model::{Rotation, Twist};
 use crate::syntax::Record;
+use crate::syntax::body::{Closure, Path};
 use crate::syntax::integers::Integers;
 
 /// A value.
@@ -64,6 +65,15 @@ pub enum Value {
 /// A handle to a path that starts at `self`, or to a foreign constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ParameterId(pub usize);
+
+/// A function that can be passed where a closure is expected.
+#[derive(Clone, Copy)]
+pub enum Callable<'a> {
+    /// `|x| …`.
+    Closure(&'a Closure),
+    /// `f64::sin`, `Self::rate`.
+    Path(&'a Path),
+}
 
 /// A handle to a closure with what it has in sight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

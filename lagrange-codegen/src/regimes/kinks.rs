@@ -72,7 +72,7 @@ pub(super) fn are_in(model: &Model, node: NodeId) -> bool {
 }
 
 /// The argument of a function with a kink or a jump, if the argument moves.
-fn kinked(graph: &Graph, id: NodeId) -> Option<NodeId> {
+pub(super) fn kinked(graph: &Graph, id: NodeId) -> Option<NodeId> {
     match *graph.node(id) {
         Node::Unary(
             Unary::Abs | Unary::Signum | Unary::PositivePart | Unary::Step | Unary::Below,

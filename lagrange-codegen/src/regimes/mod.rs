@@ -3,15 +3,16 @@
 //! All regimes of a system are one system with more parameters. For each row that is a constraint at times
 //! there is one that tells whether it holds, for each friction the sign of its slip, for each reaction that
 //! limits friction its sign, and for each kink its side. With these held constant the equations are smooth,
-//! so all that serves smooth constrained systems serves them: series, retraction, checks. The runtime's
-//! `Switching` defines a regime.
+//! so all that serves smooth constrained systems serves them: series, retraction, checks.
 
 mod kinks;
 mod sliding;
 mod switches;
+mod ties;
 
 pub use kinks::{Corner, Jump};
 pub use sliding::Coefficients;
+pub use ties::untie;
 
 use crate::diagnostics::Diagnostics;
 use crate::expr::{Exponent, Graph, NodeId, Variable};

@@ -85,6 +85,8 @@ pub enum ExprKind {
     Continue(Option<Name>),
     /// `|x| …`.
     Closure(Box<Closure>),
+    /// `_`, to which any value may be assigned.
+    Wild,
     /// Anything else, with the message that says so.
     Unsupported(String),
 }

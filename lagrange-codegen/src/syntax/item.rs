@@ -246,6 +246,8 @@ pub struct Function {
     pub unread: Option<RoleKind>,
     /// Whether it takes `self`.
     pub receiver: bool,
+    /// Its const parameters that count something, which only helpers may have.
+    pub lengths: Vec<Name>,
     /// The parameters after `self`.
     pub parameters: Vec<Parameter>,
     /// The return type.

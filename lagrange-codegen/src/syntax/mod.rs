@@ -35,7 +35,8 @@ use syn::{GenericParam, ImplItem, ItemImpl, TypeParamBound};
 
 pub use args::LINTS;
 pub use depth::{DEEPEST, too_deep};
-use item::{Argument, Function};
+use item::Argument;
+pub use item::Function;
 pub use item::{Group, Incomplete, Item, Record, Scalar, Velocity};
 pub use recover::{recover, refusal};
 pub use rewrite::expression as rewritten;

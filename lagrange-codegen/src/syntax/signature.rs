@@ -17,7 +17,10 @@ pub fn parse(function: &ImplItemFn, translator: &mut Translator) -> Function {
     let name = bare(&function.sig.ident);
     let origin = translator.origin(function.sig.ident.span());
     let generics = translator.hidden.len();
-    translator.hidden.extend(own_generics(function));
+    let is_helper = role.is_none() && unread.is_none();
+    let (lengths, unseen): (Vec<_>, Vec<_>) =
+        own_generics(function).partition(|(_, counts)| *counts && is_helper);
+    translator.hidden.extend(unseen.into_iter().map(|(name, _)| name));
     let mut parameters = Vec::new();
     for input in &function.sig.inputs {
         if let FnArg::Typed(typed) = input {
@@ -50,6 +53,7 @@ pub fn parse(function: &ImplItemFn, translator: &mut Translator) -> Function {
         name,
         origin,
         receiver: function.sig.receiver().is_some(),
+        lengths: lengths.into_iter().map(|(name, _)| name).collect(),
         parameters,
         output,
         body,
@@ -69,11 +73,12 @@ fn references(ty: &syn::Type) -> usize {
     }
 }
 
-/// Generic parameters of a function, which mean nothing outside it.
-fn own_generics(function: &ImplItemFn) -> impl Iterator<Item = Name> {
-    function.sig.generics.params.iter().filter_map(|parameter| match parameter {
-        syn::GenericParam::Type(ty) => Some(bare(&ty.ident)),
-        syn::GenericParam::Const(constant) => Some(bare(&constant.ident)),
+/// Generic parameters of a function, which mean nothing outside it, and whether each counts something.
+fn own_generics(function: &ImplItemFn) -> impl Iterator<Item = (Name, bool)> {
+    let counts = |ty: &syn::Type| matches!(ty, syn::Type::Path(path) if path.path.is_ident("usize"));
+    function.sig.generics.params.iter().filter_map(move |parameter| match parameter {
+        syn::GenericParam::Type(ty) => Some((bare(&ty.ident), false)),
+        syn::GenericParam::Const(constant) => Some((bare(&constant.ident), counts(&constant.ty))),
         syn::GenericParam::Lifetime(_) => None,
     })
 }

@@ -203,6 +203,7 @@ impl Translator<'_> {
             },
             syn::Expr::Reference(_) => ExprKind::Unsupported(catalogue::mutable_reference()),
             syn::Expr::While(_) | syn::Expr::Loop(_) => ExprKind::Unsupported(catalogue::unbounded_loop()),
+            syn::Expr::Infer(_) => ExprKind::Wild,
             syn::Expr::Let(_) => ExprKind::Unsupported(catalogue::if_let()),
             syn::Expr::Try(_) => ExprKind::Unsupported(catalogue::question_mark()),
             syn::Expr::Struct(_) => ExprKind::Unsupported(catalogue::struct_literal()),

@@ -53,6 +53,7 @@ mod steps_of_floors;
 mod stribeck;
 mod tables;
 mod three_points;
+mod ties;
 mod tilted;
 mod wedges;
 mod woodpecker;

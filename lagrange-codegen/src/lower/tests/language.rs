@@ -19,6 +19,7 @@ macro_rules! agrees {
             fn weighted(&self, w: [f64; 3], f: f64) -> f64 { f * (w[0] + 2.0 * w[1] + 3.0 * w[2]) }
             fn swap(pair: (f64, f64)) -> (f64, f64) { let (a, b) = pair; (b, a) }
             fn early(&self, i: usize, x: f64) -> f64 { if i == 0 { return x; } x * x }
+            fn scaled<const M: usize, const K: usize>(w: [[f64; K]; M], by: &[f64; K]) -> [f64; M] { w.map(|row| { let mut sum = M as f64; for i in 0..K { sum += row[i] * by[i]; } sum }) }
         }
         let system = System { m: [2.0, 3.0, 5.0], k: 7.0, pair: (11.0, [13.0, 17.0]) };
         let q = Coordinates { x: 0.3, y: 0.7, a: [1.1, 1.5, 1.9] };
@@ -36,6 +37,7 @@ macro_rules! agrees {
                     fn weighted(&self, w: [f64; 3], f: f64) -> f64 { f * (w[0] + 2.0 * w[1] + 3.0 * w[2]) }
                     fn swap(pair: (f64, f64)) -> (f64, f64) { let (a, b) = pair; (b, a) }
                     fn early(&self, i: usize, x: f64) -> f64 { if i == 0 { return x; } x * x }
+                    fn scaled<const M: usize, const K: usize>(w: [[f64; K]; M], by: &[f64; K]) -> [f64; M] { w.map(|row| { let mut sum = M as f64; for i in 0..K { sum += row[i] * by[i]; } sum }) }
                 }
             },
         );
@@ -112,6 +114,8 @@ fn bindings_and_blocks() {
     agrees!(|self, q, v, t| let mut w = [q.x; 3]; w[1] = q.y; w[2] += 1.0; w[0] *= w[1]; w[0] + w[1] * w[2]);
     agrees!(|self, q, v, t| let mut w = [[q.x; 2]; 2]; w[1][0] = q.y; w[0][0] + 2.0 * w[1][0] + w[1][1]);
     agrees!(|self, q, v, t| let mut w = (q.x, 1.0); w.1 = q.y; w.0 += 2.0; w.0 * w.1);
+    agrees!(|self, q, v, t| let (mut a, mut b) = (q.x, q.y); (a, b) = (b, a * b); a * a + b);
+    agrees!(|self, q, v, t| let mut w = [0.0; 2]; let a; ([w[1], a], _) = ([q.x, q.y], 1.0); a + 2.0 * w[1]);
 }
 
 #[test]
@@ -130,7 +134,7 @@ fn loops_and_branches() {
     agrees!(|self, q, v, t| if Self::SHIFT > 0.2 { q.x } else { q.y });
     agrees!(|self, q, v, t| let mut s = 0.0; for (a, m) in q.a.iter().zip(self.m.iter()) { s += a * m; } s);
     agrees!(|self, q, v, t| let mut s = 0.0; for window in q.a.windows(2) { s += window[0] * window[1]; } s);
-    agrees!(|self, q, v, t| let n = 2_usize.pow(2) - 1; let mut s = 0.0; for i in 0..n.min(2) { s += q.a[i]; } s);
+    agrees!(|self, q, v, t| let n = 2_usize.pow(2).clamp(1, 3); let mut s = 0.0; for i in 0..n.min(2) { s += q.a[i]; } s);
 }
 
 #[test]
@@ -168,6 +172,10 @@ fn helpers() {
     agrees!(|self, q, v, t| let (a, b) = Self::swap((q.x, q.y)); a - b);
     agrees!(|self, q, v, t| self.early(0, q.x) + self.early(1, q.x) * t + v.x);
     agrees!(|self, q, v, t| q.a.iter().enumerate().map(|(i, &a)| self.early(i, a)).sum());
+    agrees!(
+        |self, q, v, t| Self::scaled([q.a, [q.x; 3]], &[1.0, 2.0, q.y])[1] + Self::scaled([[q.x]], &[q.y])[0]
+    );
+    agrees!(|self, q, v, t| let f: fn(f64) -> f64 = f64::cos; let g = Self::swap; f(q.x) + g((q.x, q.y)).0 + q.a.map(f)[1]);
 }
 
 #[test]
