@@ -2,6 +2,8 @@
 
 use lagrangian::{EquilibriumError, Stability, prelude::*};
 
+use crate::support::sample::Samples;
+
 /// V = (x − place)^power + stiffness y²/2.
 struct Flat<const POWER: i32> {
     place: f64,
@@ -88,4 +90,80 @@ fn curvatures_of_their_own_keep_their_verdict() {
         let top = Beside.stationary_point([3.0, cart, 1.0, -2.0], &[]).unwrap();
         assert_eq!(top.stability, Stability::Unstable { directions: 1 }, "{cart}");
     }
+}
+
+/// A mass on a spring over a wavy ground, whose stiffness vanishes at points where forces do not.
+struct Wavy {
+    stiffness: f64,
+    waves: f64,
+    number: f64,
+}
+
+#[lagrangian(coordinates = [x], jacobians)]
+impl Wavy {
+    #[point(mass = 1.0)]
+    fn mass(&self, q: &Coordinates) -> f64 {
+        q.x
+    }
+
+    #[potential]
+    fn potential(&self, q: &Coordinates) -> f64 {
+        0.5 * self.stiffness * q.x * q.x + self.waves * (self.number * q.x).sin()
+    }
+}
+
+/// A mass in a plane with forces that have no potential.
+struct Circulating {
+    a: f64,
+    b: f64,
+}
+
+#[lagrangian(coordinates = [x, y], jacobians)]
+impl Circulating {
+    #[point(mass = 1.0)]
+    fn mass(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[force]
+    fn push(&self, q: &Coordinates) -> [f64; 2] {
+        [
+            self.a * (2.0 * q.y).cos() + 2.0 * self.b * q.y - 2.0 * q.x,
+            self.b * (3.0 * q.x).sin() - self.a * q.x - 2.0 * q.y,
+        ]
+    }
+}
+
+#[test]
+fn no_search_ends_where_forces_are_least_but_not_zero() {
+    let mut samples = Samples::new(71);
+    let (mut found, mut refused) = (0, 0);
+    for _ in 0..200 {
+        let number = samples.number(1.0, 5.0);
+        let wavy = Wavy { stiffness: samples.number(0.1, 1.0), waves: samples.number(0.5, 2.0), number };
+        let circulating = Circulating { a: samples.number(-3.0, 3.0), b: samples.number(-3.0, 3.0) };
+        let [x, y] = [(); 2].map(|()| samples.number(-3.0, 3.0));
+        let left = [
+            wavy.stationary_point([2.0 * x], &[])
+                .map(|rest| wavy.accelerations(&rest.state).unwrap()[0].abs()),
+            circulating.stationary_point([x, y], &[]).map(|rest| size(&circulating, &rest.state)),
+            circulating.equilibrium([x, y], &[]).map(|rest| size(&circulating, &rest.state)),
+        ];
+        for left in left {
+            match left {
+                Ok(left) => {
+                    assert!(left < 1e-7, "{left}");
+                    found += 1;
+                }
+                Err(EquilibriumError::Unbalanced { .. } | EquilibriumError::RanAway { .. }) => refused += 1,
+                Err(error) => panic!("{error}"),
+            }
+        }
+    }
+    assert!(found > 300 && refused > 50, "{found} {refused}");
+}
+
+fn size(system: &Circulating, state: &State<f64, 2>) -> f64 {
+    let a = system.accelerations(state).unwrap();
+    a[0].hypot(a[1])
 }

@@ -88,7 +88,9 @@ where
     }
 
     /// Whether the forces that Newton's step would remove are rounding errors: they do not follow any part of
-    /// that step, however short.
+    /// that step, however short, and the stiffness at its end is that at its beginning. Beside a point of
+    /// inflection the step is so long that all parts of it lie where rounding hides them or where other forces
+    /// act.
     ///
     /// A position near zero has no size that would tell this. Springs that pull to all sides leave the
     /// rounding errors of what each of them pulls, and these do not change with the last digits of a
@@ -101,6 +103,12 @@ where
             vectors.fold(S::Scalar::zero(), |most, vector| larger(dot(vector, forces).abs(), most))
         };
         let (stiffest, mut part) = (most(&slopes), S::Scalar::from_f64(LONGEST));
+        let there = self.variation(&array(|i| rest.q[i] + step[i]), &rest.multipliers).by_q;
+        let changed = array(|i| dot(&there[i], step) - slopes[i]);
+        let is_kept = most(&changed) <= S::Scalar::from_f64(0.5) * stiffest;
+        if !is_kept {
+            return false;
+        }
         for _ in 0..PARTS {
             let is_linear = PLACES.into_iter().all(|place| {
                 let way = S::Scalar::from_f64(place) * part;
