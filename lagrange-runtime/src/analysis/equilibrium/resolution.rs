@@ -89,8 +89,8 @@ where
 
     /// Whether the forces that Newton's step would remove are rounding errors: they do not follow any part of
     /// that step, however short, and the stiffness at its end is that at its beginning. Beside a point of
-    /// inflection the step is so long that all parts of it lie where rounding hides them or where other forces
-    /// act.
+    /// inflection the step is so long that all parts of it lie where rounding hides them or where other
+    /// forces act.
     ///
     /// A position near zero has no size that would tell this. Springs that pull to all sides leave the
     /// rounding errors of what each of them pulls, and these do not change with the last digits of a
