@@ -4,17 +4,22 @@ use super::run::Run;
 use super::scene::{above, entry, most};
 use super::sided::laws_on;
 use super::turning::has_pairs;
-use super::{Row, Switching};
+use super::{Row, Switching, Wanted};
 use crate::number::real::{Ordered, Real, smaller};
+use crate::system::System;
 use crate::system::control::Held;
 use crate::system::limits::Limits;
 use crate::system::method::Adaptive;
+use crate::system::state::State;
 
 /// The longest step, as a multiple of the time that is asked for. Calls for short times share long steps.
 const AHEAD: f64 = 1024.0;
 
 /// The least tolerance, in ulps: that of the tightest motion.
 const LEAST: f64 = 16.0;
+
+/// The number of times at which kinks are looked for ahead of a motion at rest.
+const LOOKS: usize = 64;
 
 impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
 where
@@ -38,6 +43,35 @@ where
             limits.relative = smaller(limits.relative, most(tight, least));
         }
         limits
+    }
+
+    /// The time, up to `t`, until which a motion that is at rest stays in its regime, as far as kinks that
+    /// lie in time tell. The forces that a series at rest looks ahead to, for their rounding errors, are those
+    /// of its own regime: a pulse exp((t − c)/w) up to t = c has any size beyond it.
+    pub(super) fn alike_until(&self, t: S::Scalar) -> S::Scalar {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let State { t: now, q, v } = self.memory.end;
+        if const { W == 0 } || !S::InRegime::STEEP || v.iter().any(|&v| v != zero) {
+            return t;
+        }
+        let (memory, inputs) = (&*self.memory, &self.control.0);
+        let wanted = Wanted { rows: [false; C], fixed: [false; C], kinks: [true; W] };
+        let has_passed = |part: S::Scalar| {
+            let there = now + part * (t - now);
+            let kinks = S::functions_in(&memory.in_regime, |x| x, there, &q, &v, inputs, &wanted).kinks;
+            kinks.iter().zip(&memory.regime.kinks).any(|(&kink, &side)| (-side * kink).is_positive())
+        };
+        let place = |index: usize| S::Scalar::from_f64(index as f64 / LOOKS as f64);
+        // At the start itself a kink that has just been crossed is zero.
+        let Some(first) = (1..=LOOKS).find(|&index| has_passed(place(index))) else { return t };
+        let (mut before, mut behind) = (place(first - 1), place(first));
+        // Behind the kink by so much that the step shows it.
+        let near = S::Scalar::epsilon().sqrt();
+        while behind - before > near {
+            let middle = S::Scalar::from_f64(0.5) * (before + behind);
+            *(if has_passed(middle) { &mut behind } else { &mut before }) = middle;
+        }
+        now + behind * (t - now)
     }
 
     /// The least speed of a slip in two directions, as a part of the speeds that it is made of; one if none

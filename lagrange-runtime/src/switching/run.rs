@@ -201,7 +201,7 @@ where
                     M::restart(&mut self.memory.inner, here);
                 }
             }
-            let t_end = if M::IS_PACED { self.steady(t) } else { t };
+            let t_end = if M::IS_PACED { self.steady(t) } else { self.alike_until(t) };
             let mut limits = self.limits_towards(t);
             let memory = &mut *self.memory;
             let (in_regime, constants) = (&memory.in_regime, &memory.constants);

@@ -158,3 +158,50 @@ fn what_is_held_lets_go_under_narrow_loads() {
         }
     }
 }
+
+/// A body at rest under a pulse a exp((t − c)/w) that ends at t = c, or falls again behind it.
+struct Pushed<const SIDES: usize> {
+    width: f64,
+    at: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Pushed<1> {
+    #[point(mass = 1.0)]
+    fn body(&self, q: &Coordinates) -> f64 {
+        q.x
+    }
+
+    #[force(on = x)]
+    fn push(&self, t: f64) -> f64 {
+        if t < self.at { ((t - self.at) / self.width).exp() / self.width } else { 0.0 }
+    }
+}
+
+#[lagrangian(coordinates = [x])]
+impl Pushed<2> {
+    #[point(mass = 1.0)]
+    fn body(&self, q: &Coordinates) -> f64 {
+        q.x
+    }
+
+    #[force(on = x)]
+    fn push(&self, t: f64) -> f64 {
+        (-((t - self.at) / self.width).abs()).exp() / self.width
+    }
+}
+
+#[test]
+fn a_pulse_that_ends_where_it_is_largest_is_not_hidden_by_what_would_follow() {
+    let mut samples = Samples::new(5);
+    for _ in 0..40 {
+        let at = samples.number(1.0, 5.0);
+        let width = at / 10_f64.powf(samples.number(2.7, 6.0));
+        let start = State::at_rest([samples.number(-1.0, 1.0)]);
+        let end = at + samples.number(0.1, 3.0);
+        let one_sided = *Pushed::<1> { width, at }.simulate(start).advance_to(end).unwrap();
+        close_on(1.0, one_sided.v[0], 1.0, 1e-8);
+        let two_sided = *Pushed::<2> { width, at }.simulate(start).advance_to(end).unwrap();
+        close_on(1.0, two_sided.v[0], 2.0, 1e-8);
+    }
+}
