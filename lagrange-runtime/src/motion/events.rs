@@ -85,7 +85,7 @@ where
 /// the one after it. A gap that stays closed only falls. `.falling()` selects one event for each impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Crossing {
-    /// It goes from below to above.
+    /// It goes from below to above as time grows, also in a motion that runs backward.
     Rising,
     /// It goes from above to below.
     Falling,

@@ -111,6 +111,11 @@ where
         let number = S::Scalar::from_f64;
         let mut later: S::Scalar = num_traits::Zero::zero();
         for rows in self.beginning(&choice.regime).slips(&S::ROWS) {
+            // Rounding errors tell no time.
+            let strength = self.strength(rows, &choice.sizes.accelerations);
+            if !above(self.driven_part(rows, &choice.accelerations, strength), rounding()) {
+                return None;
+            }
             let spans = self.spans(rows, &choice.velocities, &choice.accelerations, &choice.sizes);
             let [least, longest] = spans.each(|span| span.part(0));
             let time = number(LAUNCHED) * least;

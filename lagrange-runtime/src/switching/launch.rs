@@ -92,13 +92,16 @@ where
         let State { t, q, v } = &self.state;
         let stuck = begins.held(regime);
         let held = S::equations_in(&self.system.in_regime(&stuck), *t, q, v, self.inputs)?;
-        self.with_slips(slips, begins, &held.saddle, &self.balance(&stuck, v)?.1.accelerations)
+        let strengths = self.balance(&stuck, v)?.1.accelerations;
+        self.with_slips(regime, slips, begins, &held.saddle, &strengths)
     }
 
     /// Velocities with slips in the directions of these. Slips of feet that share a load are those of one
-    /// motion: the slowest has the size that its direction needs. `None` where a slip has no direction.
+    /// motion: the slowest has the size that its direction needs. `None` where a slip has no direction, or
+    /// what sticks leaves no such motion.
     fn with_slips(
         &self,
+        regime: &Regime<S::Scalar, C, W>,
         slips: &[S::Scalar; C],
         begins: &Begins<C>,
         held: &impl SaddlePoint<S::Scalar, N, C>,
@@ -125,7 +128,24 @@ where
             }
         });
         let (change, _) = held.solve(&[zero; N], &lack);
-        Some(array(|i| self.state.v[i] + change[i]))
+        let velocities = array(|i| self.state.v[i] + change[i]);
+        if !is_shared {
+            return Some(velocities);
+        }
+        // Two feet that stick hold a third one: it does not slip, or they do not stick.
+        let length = |rows: [usize; 2], part: &dyn Fn(usize) -> S::Scalar| {
+            let [x, y] = rows.each(part);
+            x.hypot(y)
+        };
+        let wanted = |row: usize| entry(&lack, row) + entry(&self.laws.rows.rates, row);
+        let slowest = begins.slips(&S::ROWS).map(|rows| length(rows, &wanted));
+        let slowest = slowest.reduce(|least, slip| if above(least, slip) { slip } else { least })?;
+        let is_met = |rows: [usize; 2]| {
+            let missed = |row: usize| self.rate_at(row, &velocities) - wanted(row);
+            !above(length(rows, &missed), S::Scalar::from_f64(0.5) * slowest)
+        };
+        let sticks = |rows: &[usize; 2]| begins.has(rows[0]) || regime.active.get(rows[0]) == Some(&true);
+        pairs(&S::ROWS).filter(sticks).all(is_met).then_some(velocities)
     }
 
     /// The smallest slip whose direction the motion knows, where forces can make such accelerations.

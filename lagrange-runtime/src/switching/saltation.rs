@@ -107,10 +107,14 @@ where
                 sizes = found.accelerations.each(|size| S::Scalar::from_f64(C as f64) * size);
             }
         }
-        let zero = num_traits::Zero::zero();
-        let keeps = state.v.iter().zip(v).all(|(&x, &y)| stays(x, y, zero))
-            && a.iter().zip(&b).zip(&sizes).all(|((&x, &y), &size)| stays(x, y, size));
-        if keeps { Ok(zero) } else { Err(doubt) }
+        // A velocity of zero has the roundings of what forces could have given it on the way.
+        let passed = (state.t - self.memory.start.t).abs();
+        let gains = sizes.each(|size| passed * size);
+        let keep = |x: &[S::Scalar; N], y: &[S::Scalar; N], sizes: &[S::Scalar; N]| {
+            x.iter().zip(y).zip(sizes).all(|((&x, &y), &size)| stays(x, y, size))
+        };
+        let keeps = keep(&state.v, v, &gains) && keep(a, &b, &sizes);
+        if keeps { Ok(num_traits::Zero::zero()) } else { Err(doubt) }
     }
 
     /// Fails with `Grazes` for the guard of a load: a load has no direction where it is zero, so its slopes

@@ -4,6 +4,7 @@ use super::known::Known;
 use super::launch::LAUNCHED;
 use super::run::Run;
 use super::scene::{Scene, above, entry, most, put};
+use super::sided::laws_on;
 use super::turning::{has_pairs, pairs};
 use super::way::{Ramp, Way, shift};
 use super::{Regime, Row, Switching};
@@ -210,11 +211,13 @@ where
         }
         let held = self.system.in_regime(&held);
         let stuck = S::equations_in(&held, half.t, &half.q, &half.v, self.inputs)?;
+        // The slip of what turns changes by its place alone.
+        let slips = laws_on(self.system, &half, self.inputs, &self.kinks).rows.rates;
         let lack = array(|row| {
             if slow.get(row) != Some(&true) {
                 return zero;
             }
-            number(0.5) * entry(&self.laws.rows.rates, row) - self.rate_at(row, &half.v)
+            number(0.5) * entry(&self.laws.rows.rates, row) - entry(&slips, row)
         });
         let (change, _) = stuck.saddle.solve(&[zero; N], &lack);
         half.v = array(|i| half.v[i] + change[i]);

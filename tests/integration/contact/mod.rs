@@ -10,6 +10,7 @@ mod chains;
 mod changing_coefficients;
 mod coincident;
 mod corners;
+mod crates;
 mod dead_centres;
 mod directions;
 mod edges;

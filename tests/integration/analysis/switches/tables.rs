@@ -149,3 +149,56 @@ fn a_rocking_block_has_the_derivatives_of_differences() {
         all_close_on_largest(columns, differences, 1e-8);
     }
 }
+
+/// A block that stands on two feet of one coefficient, on a table that moves to and fro.
+struct Standing {
+    friction: f64,
+    rate: f64,
+}
+
+const TO_AND_FRO: f64 = 0.08;
+
+#[lagrangian(coordinates = [x, y, phi], sensitivities = [self.friction])]
+impl Standing {
+    #[body(mass = 1.0, inertia = 0.1 / 3.0)]
+    fn block(&self, q: &Coordinates) -> Isometry2<f64> {
+        Isometry2::new(Vector2::new(q.x, q.y), q.phi)
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        9.81 * q.y
+    }
+
+    fn feet(&self, q: &Coordinates) -> [Vector2<f64>; 2] {
+        [-0.3, 0.3].map(|x| Rotation2::new(q.phi) * Vector2::new(x, -0.1))
+    }
+
+    #[unilateral]
+    fn floor(&self, q: &Coordinates) -> [f64; 2] {
+        self.feet(q).map(|foot| q.y + foot.y)
+    }
+
+    #[friction(coefficient = self.friction, normal = floor)]
+    fn slip(&self, q: &Coordinates, v: &Velocities, t: f64) -> [f64; 2] {
+        let table = TO_AND_FRO * self.rate * (self.rate * t).cos();
+        self.feet(q).map(|foot| v.x - foot.y * v.phi - table)
+    }
+}
+
+#[test]
+fn feet_that_let_go_together_have_derivatives() {
+    for k in 0..20 {
+        let standing = Standing { friction: 0.2, rate: 6.0 + 0.15 * f64::from(k) };
+        let speed = TO_AND_FRO * standing.rate;
+        let lets_go = (0.2 * 9.81 / (speed * standing.rate)).asin() / standing.rate;
+        let start = State::new([0.0, 0.1, 0.0], [speed, 0.0, 0.0]);
+        let varied = standing.variational();
+        let mut motion = varied.motion(start).unwrap().with_tolerance(1e-12);
+        let found = motion.advance_to(lets_go + 0.05).unwrap();
+        // Its velocity is that of the table until it lets go, and then falls by μ g. The time at which it lets
+        // go does not count: the acceleration does not jump there.
+        close_on(1.0, found.v_by_p[(0, 0)], -9.81 * 0.05, 1e-8);
+        close_on(1.0, found.v_by_v[(0, 0)], 0.0, 1e-8);
+    }
+}
