@@ -46,8 +46,8 @@ where
     }
 
     /// The time, up to `t`, until which a motion that is at rest stays in its regime, as far as kinks that
-    /// lie in time tell. The forces that a series at rest looks ahead to, for their rounding errors, are those
-    /// of its own regime: a pulse exp((t − c)/w) up to t = c has any size beyond it.
+    /// lie in time tell. The forces that a series at rest looks ahead to, for their rounding errors, are
+    /// those of its own regime: a pulse exp((t − c)/w) up to t = c has any size beyond it.
     pub(super) fn alike_until(&self, t: S::Scalar) -> S::Scalar {
         let zero: S::Scalar = num_traits::Zero::zero();
         let State { t: now, q, v } = self.memory.end;

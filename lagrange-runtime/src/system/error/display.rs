@@ -173,8 +173,8 @@ impl fmt::Display for Cause {
                  motion, or go by longer steps"
             ),
             Self::TooManySteps => out.write_str(
-                "too many steps in one call: advance in shorter intervals, loosen the tolerance or raise \
-                 the limit with `with_max_steps`",
+                "too many steps in one call: advance in shorter intervals, loosen the tolerance, give an absolute one \
+                 where something is nearly at rest, or raise the limit with `with_max_steps`",
             ),
             Self::InvalidTime => out.write_str("the target time is not finite: pass a finite time"),
             Self::InvalidStep => out.write_str(
