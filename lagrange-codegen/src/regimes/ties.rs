@@ -14,8 +14,8 @@ use crate::expr::{Graph, Node, NodeId, Unary};
 use crate::model::Model;
 use crate::number::Number;
 
-/// The most inner switches of which all sides are looked at.
-const MOST: usize = 8;
+/// The most combinations of sides that are looked at for a switch. Beyond them, it stays as it is.
+const MOST: usize = 256;
 
 /// Takes the inner switches out of those whose argument they make zero for a while.
 pub fn untie(model: &mut Model) {
@@ -29,10 +29,9 @@ pub fn untie(model: &mut Model) {
             continue;
         }
         let argument = substitute(graph, &[argument], &replacements)[0];
-        let inner = inner(graph, argument);
-        let image = match (1..=MOST).contains(&inner.len()) && ties(graph, argument) {
-            true => asked_apart(graph, function, argument),
-            false => graph.unary(function, argument),
+        let image = match may_tie(graph, argument, &mut { MOST }) {
+            Some(true) => asked_apart(graph, function, argument),
+            Some(false) | None => graph.unary(function, argument),
         };
         if image != id {
             replacements.push((id, image));
@@ -55,18 +54,21 @@ fn inner(graph: &Graph, node: NodeId) -> Vec<NodeId> {
     arguments
 }
 
-/// Whether a node is a constant that may be zero on some sides of its switches.
-fn ties(graph: &mut Graph, node: NodeId) -> bool {
-    if !graph.dependence(node).meets(MOVING) {
-        return graph.as_constant(node).is_none_or(Number::is_zero);
+/// Whether a node with switches is a constant that may be zero on some of their sides. `left` is the number
+/// of combinations that may be looked at; `None` if there are more.
+fn may_tie(graph: &mut Graph, node: NodeId, left: &mut usize) -> Option<bool> {
+    let Some(&first) = inner(graph, node).first() else { return Some(false) };
+    let mut ties = false;
+    for is_above in [true, false] {
+        let there = on_side(graph, node, first, is_above);
+        *left = left.checked_sub(1)?;
+        ties |= if graph.dependence(there).meets(MOVING) {
+            may_tie(graph, there, left)?
+        } else {
+            graph.as_constant(there).is_none_or(Number::is_zero)
+        };
     }
-    match inner(graph, node).first() {
-        Some(&first) => [true, false].into_iter().any(|is_above| {
-            let there = on_side(graph, node, first, is_above);
-            ties(graph, there)
-        }),
-        None => false,
-    }
+    Some(ties)
 }
 
 /// A function with a kink or a jump of an argument that contains others: its forms on their sides, each where

@@ -39,7 +39,8 @@ where
 }
 
 /// The sides of kinks after some have been crossed, which had the sides `before`. A switch in the argument of
-/// another one makes that argument leap, and the other one goes to the side where it is then.
+/// another one makes that argument leap, and the other one goes to the side where it is then. Zero counts as
+/// positive, as in the condition that an argument is not negative.
 pub(super) fn followed<S, const N: usize, const K: usize, const C: usize, const W: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
@@ -68,7 +69,8 @@ where
         for (kink, side) in sides.iter_mut().enumerate() {
             let (now, least) = (entry(&here, kink), rounding::<S::Scalar>() * entry(&sizes, kink));
             let has_leapt = above((now - entry(&last, kink)).abs(), least);
-            if has_leapt && above(-*side * now, least) {
+            let is_zero = !above(now.abs(), least);
+            if has_leapt && (above(-*side * now, least) || is_zero && (-*side).is_positive()) {
                 *side = -*side;
             }
         }

@@ -74,6 +74,24 @@ ways! {
         let both = a + b;
         both >= 2.0 && both > a
     };
+    10: |x, _level| {
+        let mut passed = 0.0;
+        for k in 0..10 {
+            if x > -0.1 * k as f64 {
+                passed += 1.0;
+            }
+        }
+        passed >= 10.0
+    };
+    11: |x, _level| {
+        let mut mode = 0.0;
+        for k in 0..12 {
+            if x > 0.1 * (k as f64 - 11.0) {
+                mode = k as f64;
+            }
+        }
+        mode >= 11.0
+    };
 }
 
 /// A body over a floor that pushes and damps while the body is in it.
