@@ -64,7 +64,7 @@ ways! {
     1: |x, _level| { let depth = x.max(0.0); depth > 0.0 };
     2: |x, _level| { let flag = if x > 0.0 { 1.0 } else { 0.0 }; flag > 0.0 };
     3: |x, _level| { let flag = if x > 0.0 { 1.0 } else { 0.0 }; flag >= 1.0 };
-    4: |x, _level| { let command = (x + 1.0).clamp(-1.0, 1.0); !(command < 1.0) };
+    4: |x, _level| { let command = (x + 1.0).clamp(-1.0, 1.0); command >= 1.0 };
     5: |x, _level| x.abs() <= x;
     6: |x, level| { let mode = if x > 0.0 { level } else { level + 1.0 }; mode <= level };
     7: |x, _level| { let depth = (-x).max(0.0); depth * depth.abs() <= 0.0 };
@@ -126,7 +126,7 @@ macro_rules! floors {
 floors! {
     0: |y, _depth| y < 0.0;
     1: |_y, depth| depth > 0.0;
-    2: |_y, depth| !(depth <= 0.0);
+    2: |_y, depth| 0.0 < depth;
 }
 
 #[test]
