@@ -21,9 +21,9 @@ pub(in crate::emit) fn passed(emission: &Emission<'_>, switching: &Regimes) -> S
     let state = format!("&lagrange::State<{scalar}, {count}>");
     format!(
         "const JUMPS: bool = true;\n\
-         fn passed_at(&self, from: {state}, to: {state}, u: &{inputs}) \
+         fn passed_at(&self, __from: {state}, __to: {state}, u: &{inputs}) \
          -> ::core::result::Result<(), lagrange::Cause> {{\n\
-         lagrange::switching::passed::<Self, {count}, {given}, {rows}, {kinks}>(self, from, to, u)\n}}\n"
+         lagrange::switching::passed::<Self, {count}, {given}, {rows}, {kinks}>(self, __from, __to, u)\n}}\n"
     )
 }
 
