@@ -182,35 +182,11 @@ where
         exactly: bool,
         attempts: &mut u64,
     ) -> Result<(), MotionError<S::Scalar>> {
-        self.watchful(memory, limits, target, exactly, attempts)?;
-        if S::JUMPS {
-            let (from, to) = (memory.start.state, memory.end.state);
-            if let Err(cause) = self.system.passed_at(&from, &to, &self.control.inputs(&from)) {
-                memory.rewind();
-                return Err(MotionError { cause, t: from.t });
-            }
-        }
-        Ok(())
-    }
-
-    /// The same without a look at what the step has passed.
-    #[inline]
-    fn watchful(
-        &self,
-        memory: &mut Dop853Memory<S::Scalar, N>,
-        limits: &Limits<S::Scalar>,
-        target: S::Scalar,
-        exactly: bool,
-        attempts: &mut u64,
-    ) -> Result<(), MotionError<S::Scalar>> {
-        if !S::STEEP {
-            return self.stride(memory, limits, target, exactly, attempts);
-        }
         let ground = memory.ground;
         loop {
             self.stride(memory, limits, target, exactly, attempts)?;
-            if !self.misses(memory, limits) {
-                return Ok(());
+            if !S::STEEP || !self.misses(memory, limits) {
+                return if S::JUMPS { self.passable(memory) } else { Ok(()) };
             }
             halve(memory);
             memory.ground = ground;
@@ -221,7 +197,18 @@ where
         }
     }
 
-    /// The same without a search for narrow functions inside the step.
+    /// Refuses a step across a kink at which something jumps, and returns to its start.
+    #[cold]
+    fn passable(&self, memory: &mut Dop853Memory<S::Scalar, N>) -> Result<(), MotionError<S::Scalar>> {
+        let (from, to) = (memory.start.state, memory.end.state);
+        let passed = self.system.passed_at(&from, &to, &self.control.inputs(&from));
+        passed.map_err(|cause| {
+            memory.rewind();
+            MotionError { cause, t: from.t }
+        })
+    }
+
+    /// The same without a search for narrow functions inside the step, and for kinks that it has passed.
     #[inline]
     fn stride(
         &self,

@@ -84,15 +84,7 @@ where
         let behind = self.sizes_behind(kink, state);
         let sizes: [S::Scalar; C] = array(|row| most(before[row], behind[row]));
         let (mut found, mut lost) = (Ok(()), [false; C]);
-        let gain_at = |row: usize, State { t, q, v }: &State<S::Scalar, N>| {
-            let mut found = num_traits::Zero::zero();
-            self.system.breaks_at(*t, q, v, inputs, |own, other, gain| {
-                if own == kink && other == row {
-                    found = gain;
-                }
-            });
-            found
-        };
+        let gain_at = |row: usize, at: &State<S::Scalar, N>| break_at(self.system, [kink, row], at, inputs);
         self.system.breaks_at(*t, q, v, inputs, |own, row, gain| {
             let seen = most(entry(&sizes, row), entry(&self.memory.scales.gaps, row));
             let size = S::Scalar::epsilon().sqrt() * seen;
@@ -140,17 +132,7 @@ where
         let memory = &mut *self.memory;
         let (inner, in_regime, constants) = (&mut memory.inner, &memory.in_regime, &memory.constants);
         let (control, limits, start) = (self.control, self.limits, memory.start);
-        // The gain and the size of a function that the system visits.
-        let visited = |place: usize, State { t, q, v }: &State<S::Scalar, N>| {
-            let (mut other, mut found) = (0, [num_traits::Zero::zero(); 2]);
-            system.corners_at(*t, q, v, &control.0, |_, gain, size| {
-                other += 1;
-                if other == place {
-                    found = [gain, size];
-                }
-            });
-            found
-        };
+        let visited = |number: usize, at: &State<S::Scalar, N>| corner_at(system, number, at, &control.0);
         system.corners_at(state.t, &state.q, &state.v, &control.0, |own, gain, size| {
             place += 1;
             if found || own != kink || !above(gain.abs(), part * size) {
@@ -228,6 +210,46 @@ where
             Some(row) => Err(Cause::VanishingGradient { constraint: row, name: S::NAMES.constraint(row) }),
         }
     }
+}
+
+/// The gain of a momentum or rate at a state, and Σ |summands|, by its number among those that the system
+/// visits, from one on.
+pub(super) fn corner_at<S, const N: usize, const K: usize, const C: usize, const W: usize>(
+    system: &S,
+    number: usize,
+    State { t, q, v }: &State<S::Scalar, N>,
+    inputs: &[S::Scalar; K],
+) -> [S::Scalar; 2]
+where
+    S: Switching<N, K, C, W>,
+{
+    let (mut visited, mut found) = (0, [num_traits::Zero::zero(); 2]);
+    system.corners_at(*t, q, v, inputs, |_, gain, size| {
+        visited += 1;
+        if visited == number {
+            found = [gain, size];
+        }
+    });
+    found
+}
+
+/// The gain of a gap or constraint at a state where a kink is; zero if it has none there.
+pub(super) fn break_at<S, const N: usize, const K: usize, const C: usize, const W: usize>(
+    system: &S,
+    [kink, row]: [usize; 2],
+    State { t, q, v }: &State<S::Scalar, N>,
+    inputs: &[S::Scalar; K],
+) -> S::Scalar
+where
+    S: Switching<N, K, C, W>,
+{
+    let mut found = num_traits::Zero::zero();
+    system.breaks_at(*t, q, v, inputs, |own, other, gain| {
+        if own == kink && other == row {
+            found = gain;
+        }
+    });
+    found
 }
 
 /// Whether a quantity jumps at a state: its gain counts beside Σ |summands|, and rounding errors of the state

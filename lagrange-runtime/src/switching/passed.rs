@@ -3,7 +3,7 @@
 //! An energy, a momentum or a constraint that jumps at a kink need not show in the equations on its sides, so
 //! that the errors of a step do not tell. The functions that are zero there do: they have changed sign.
 
-use super::corners::jumps;
+use super::corners::{break_at, corner_at, jumps};
 use super::scene::entry;
 use super::{Row, Switching};
 use crate::number::elements::{Each, array};
@@ -42,8 +42,7 @@ where
 /// One in the lanes in which a function has changed sign. Zero counts as positive, so that a step that ends
 /// at a zero and the next one pass it once.
 fn crossing<R: Real>(before: R, after: R) -> R {
-    let is_below = |number: R| R::one() - number.step();
-    (is_below(before) - is_below(after)).abs()
+    (before.step() - after.step()).abs()
 }
 
 /// The state on the straight line from one to another at which a function vanishes, lane by lane.
@@ -91,40 +90,25 @@ where
     if jumps(place, elsewhere, &energy) {
         return Err(Cause::EnergyJumps { kink, name });
     }
-    // The gain and the size of a momentum or rate, by its number among those that the system visits.
-    let momentum = |wanted: usize, State { t, q, v }: &State<S::Scalar, N>| {
-        let (mut number, mut found) = (0, [num_traits::Zero::zero(); 2]);
-        system.corners_at(*t, q, v, u, |_, gain, size| {
-            if number == wanted {
-                found = [crossed * gain, size];
-            }
-            number += 1;
-        });
-        found
-    };
     let (mut number, mut corner) = (0, false);
     system.corners_at(place.t, &place.q, &place.v, u, |own, _, _| {
-        // At the kink itself a momentum may be nothing but rounding errors.
-        let size =
-            ends.map(|end| momentum(number, end)[1]).into_iter().fold(num_traits::Zero::zero(), Real::max);
+        number += 1;
+        // At the kink itself a momentum may be nothing but rounding errors, and so may its gain.
+        let sizes = ends.map(|end| corner_at(system, number, end, u)).into_iter().flatten();
+        let size = sizes.fold(num_traits::Zero::zero(), |most: S::Scalar, size| most.max(size.abs()));
         let beside = |state: &State<S::Scalar, N>| {
-            let [gain, here] = momentum(number, state);
-            [gain, here.max(size)]
+            let [gain, here] = corner_at(system, number, state, u);
+            [crossed * gain, here.max(size)]
         };
         corner |= own == kink && jumps(place, elsewhere, &beside);
-        number += 1;
     });
     if corner {
         return Err(Cause::MomentumJumps { kink, name });
     }
-    let constraint = |wanted: usize, State { t, q, v }: &State<S::Scalar, N>| {
-        let mut found = num_traits::Zero::zero();
-        system.breaks_at(*t, q, v, u, |own, row, gain| {
-            if own == kink && row == wanted {
-                found = crossed * gain;
-            }
-        });
-        [found, entry(&system.laws_at(*t, q, v, u).rows.position_sizes, wanted)]
+    let constraint = |row: usize, state: &State<S::Scalar, N>| {
+        let State { t, q, v } = state;
+        let sizes = system.laws_at(*t, q, v, u).rows.position_sizes;
+        [crossed * break_at(system, [kink, row], state, u), entry(&sizes, row)]
     };
     let mut held = (0..C).filter(|&row| S::ROWS.get(row) == Some(&Row::Bilateral));
     match held.find(|&row| jumps(place, elsewhere, &|state| constraint(row, state))) {

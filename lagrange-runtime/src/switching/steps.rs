@@ -6,7 +6,7 @@
 //! its accuracy is that of the order.
 
 use super::run::Run;
-use super::scene::{above, entry};
+use super::scene::{above, entry, product};
 use super::since::{InRegimeSince, Since};
 use super::turning::pairs;
 use super::{Hybrid, HybridMemory, Regime, Switching};
@@ -128,7 +128,8 @@ where
     pub(super) fn steady(&self, t: S::Scalar) -> S::Scalar {
         let memory = &*self.memory;
         let State { t: now, q, v } = memory.end;
-        let slips = |row: usize| entry(&memory.regime.slip, row) != num_traits::Zero::zero();
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let slips = |row: usize| entry(&memory.regime.slip, row) != zero;
         if !pairs(&S::ROWS).any(|[row, _]| slips(row)) {
             return t;
         }
@@ -138,11 +139,8 @@ where
         let all = Regime { active: [true; C], kinks: memory.regime.kinks, ..Regime::open(&S::ROWS) };
         let Some(rows) = S::rows_in(&self.system.in_regime(&all), now, &q, &v, inputs) else { return t };
         // The rate of a slip: A a − γ.
-        let rate = |row: usize| {
-            let gradient = rows.gradients.get(row).into_iter().flatten();
-            let along = gradient.zip(&a).map(|(&entry, &a)| entry * a);
-            along.fold(-entry(&rows.gamma, row), |sum, term| sum + term)
-        };
+        let along = |row: usize| rows.gradients.get(row).map_or(zero, |gradient| product(gradient, &a));
+        let rate = |row: usize| along(row) - entry(&rows.gamma, row);
         let mut least = (t - now).abs();
         for [row, other] in pairs(&S::ROWS).filter(|[row, _]| slips(*row)) {
             let [x, y] = [row, other].each(|row| entry(&own, row));
