@@ -10,6 +10,8 @@
 use super::course::Course;
 use super::guards::{Guard, Guards, Parts};
 use super::narrow::InGuards;
+use super::scene::{entry, most};
+use super::turning::pairs;
 use super::{Along, Functions, Switching};
 use crate::integrator::hidden::{Hiding, InEquations, PLACES, Passage, SAMPLES, range, sample};
 use crate::number::elements::array;
@@ -90,11 +92,12 @@ where
                 }
                 _ => false,
             };
+            let turned = self.turned(&there);
             let fallen = self.all().filter(|&guard| self.is_of_reactions(guard)).find(|&guard| {
                 let &Rounded { value, error } = there.get(guard);
                 let (value, error) = (value.part(0), error.part(0));
                 let expected = expected.get(guard).part(0);
-                let lost = error + error / S::Scalar::epsilon() * allowed;
+                let lost = error + error / S::Scalar::epsilon() * (allowed + turned);
                 let lacks = S::Scalar::from_f64(safety) * (expected - value);
                 if shares(guard) { lacks > lost } else { smaller(value, expected - lacks) < -lost }
             });
@@ -115,6 +118,19 @@ where
             look_along(&hiding, &state_at, &mut look);
         }
         first
+    }
+
+    /// The angle \[rad] by which rounding errors of a state may turn friction. A slip in two directions that is
+    /// about to come to rest has a direction with few digits, and reactions have no more.
+    fn turned(&self, guards: &Functions<Rounded<S::Scalar>, C, W>) -> S::Scalar {
+        let slips = |row: usize| entry(&self.regime.slip, row) != num_traits::Zero::zero();
+        let mut angle = num_traits::Zero::zero();
+        for row in pairs(&S::ROWS).map(|[row, _]| row).filter(|&row| slips(row)) {
+            if let Some(&Rounded { value, error }) = guards.rows.get(row) {
+                angle = most(angle, error.part(0) / value.part(0).abs());
+            }
+        }
+        angle
     }
 
     /// Whether guards of reactions have polynomials that converge on the whole of a step, to half of the

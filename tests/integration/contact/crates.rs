@@ -127,3 +127,30 @@ fn a_crate_pivots_about_a_foot_that_has_come_to_rest() {
         assert!(state.v.iter().all(|v| v.abs() < 1e-12), "{state:?}");
     }
 }
+
+#[test]
+fn a_foot_comes_to_rest_at_tolerances_near_rounding() {
+    // Before it rests, its slip has a direction with few digits, and so have the reactions of the others.
+    let mut samples = Samples::new(11);
+    for _ in 0..12 {
+        let scene = Crate {
+            inertia: [samples.number(0.01, 0.03); 3],
+            half: [samples.number(0.1, 0.2), samples.number(0.1, 0.2), samples.number(0.03, 0.1)],
+            friction: samples.number(0.2, 0.4),
+            amplitude: 0.0,
+            rate: 1.0,
+        };
+        let speeds = [samples.number(-0.5, 0.5), samples.number(-0.5, 0.5)];
+        let start = scene.start(samples.number(-1.0, 1.0), speeds, samples.number(-3.0, 3.0));
+        let run = |tolerance: f64| {
+            let mut motion = scene.simulate(start).with_tolerance(tolerance).with_max_steps(5000);
+            let state = *motion.advance_to(1.0).unwrap();
+            let pose = scene.coordinates(&state).hull;
+            [pose.translation.x, pose.translation.y, pose.rotation.euler_angles().2]
+        };
+        let (found, expected) = (run(2e-13), run(1e-9));
+        for (found, expected) in found.into_iter().zip(expected) {
+            close_on(1.0, found, expected, 1e-7);
+        }
+    }
+}
