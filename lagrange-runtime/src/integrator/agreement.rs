@@ -1,5 +1,6 @@
 //! Whether accelerations of a polynomial through a step are those of the equations of motion.
 
+use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::state::State;
 
@@ -9,6 +10,49 @@ const MARGIN: f64 = 16.0;
 
 /// Uncertainty of accelerations, in ulps of the largest one.
 const NOISE: f64 = 256.0;
+
+/// The states beside one at which [`roundings`] looks.
+const BESIDE: usize = 4;
+
+/// Their distance from it, in ulps. Forces are rounded, too, and may not notice a single one.
+const APART: f64 = 8.0;
+
+/// Safety factor on what these show.
+const SAFETY: f64 = 8.0;
+
+/// Adds to the `strongest` accelerations those whose rounding errors are the ones that the equations have at a
+/// state. Forces that balance leave nothing but rounding errors, so accelerations at rest do not tell how
+/// large these are. The difference of both accelerations that are `found` at the state itself does, one by the
+/// equations and one by a series, and so do the accelerations at states that are some ulps beside it.
+#[cold]
+pub(crate) fn roundings<R: Real, const N: usize>(
+    state: &State<R, N>,
+    found: [&[R; N]; 2],
+    accelerations: impl Fn(&State<R, N>) -> [R; N],
+    strongest: &mut [R; N],
+) {
+    let per_ulp = R::from_f64(SAFETY / NOISE) / R::epsilon();
+    let mut add = |a: &[R; N]| {
+        for ((strongest, &a), &here) in strongest.iter_mut().zip(a).zip(found[0]) {
+            let size = per_ulp * (a - here).part(0).abs();
+            if size.is_finite() {
+                *strongest = strongest.max(size);
+            }
+        }
+    };
+    add(found[1]);
+    for pattern in 0..BESIDE {
+        // Neighbours move against each other in the second half of the states, and with each other before.
+        let moved = |index: usize, x: R| {
+            let is_up = (pattern + index * (pattern / 2)).is_multiple_of(2);
+            let by = R::from_f64(if is_up { APART } else { -APART }) * R::epsilon();
+            x + by * x.abs()
+        };
+        let beside = |x: &[R; N], first: usize| array(|i| moved(first + i, x[i]));
+        let t = moved(0, state.t);
+        add(&accelerations(&State { t, q: beside(&state.q, 0), v: beside(&state.v, 1) }));
+    }
+}
 
 /// A step, and what its polynomial may be off.
 pub(crate) struct Agreement<'a, R, const N: usize> {

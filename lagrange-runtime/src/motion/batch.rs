@@ -275,10 +275,15 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         if !S::STEEP {
             probe.level(&mut strongest);
         }
+        let mut is_measured = false;
         loop {
             let faults = probe.faults(length / self.unit, &mut strongest);
             if !any(faults) {
                 break;
+            }
+            if !core::mem::replace(&mut is_measured, true) {
+                probe.measure(&mut strongest);
+                continue;
             }
             length = (length * S::Scalar::from_f64(0.5)).where_positive(faults, length);
             if any(missing.min(resolution - length)) {

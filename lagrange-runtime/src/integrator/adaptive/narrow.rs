@@ -5,7 +5,7 @@
 //! ([`hidden`](super::super::hidden)), and there the equations are compared with the polynomial of the step.
 //! That polynomial costs evaluations, so a first search takes a plainer one.
 
-use super::super::agreement::Agreement;
+use super::super::agreement::{Agreement, roundings};
 use super::super::dop853::Dop853Memory;
 use super::super::hidden::{Hiding, InEquations, Passage, range};
 use super::super::slopes::Slope;
@@ -76,13 +76,21 @@ where
         let absolute = limits.absolute.unwrap_or(zero) + step_size::smallest();
         let agreement = Agreement { start: &start, span: h, tolerances: [limits.relative, absolute] };
         let state_at = |part| polynomial.at(&start, h, part);
-        let mut faults = |part: S::Scalar| {
-            let state = state_at(part);
-            let found = self.accelerations(state.t, &state.q, &state.v);
-            let slopes = polynomial.slopes(part);
-            agreement.faults(&state, [&found, &array(|n| slopes[n] / h)], &mut strongest)
+        let accelerations = |state: &State<S::Scalar, N>| self.accelerations(state.t, &state.q, &state.v);
+        let mut has_faults = |strongest: &mut [S::Scalar; N]| {
+            let mut faults = |part: S::Scalar| {
+                let state = state_at(part);
+                let slopes = polynomial.slopes(part).each(|slope| slope / h);
+                agreement.faults(&state, [&accelerations(&state), &slopes], strongest)
+            };
+            self.search(&state_at, &mut faults).is_positive()
         };
-        self.search(&state_at, &mut faults).is_positive()
+        if !has_faults(&mut strongest) {
+            return false;
+        }
+        let here = memory.slopes[0].v;
+        roundings(&start, [&here, &here], accelerations, &mut strongest);
+        has_faults(&mut strongest)
     }
 
     /// Whether what some function depends on varies enough along a step.

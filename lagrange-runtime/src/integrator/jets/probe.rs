@@ -4,7 +4,7 @@
 //! switch that is thrown later) is not in its coefficients, and their decay says nothing of it. So the
 //! accelerations are compared at some places of the step with those of the polynomial.
 
-use super::super::agreement::Agreement;
+use super::super::agreement::{Agreement, roundings};
 use super::super::hidden::{InEquations, PLACES, Passage, SAMPLES, sample};
 use crate::number::elements::{Each, array};
 use crate::number::real::{Real, any};
@@ -127,6 +127,22 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
         *strongest = [most; N];
     }
 
+    /// The strongest accelerations, with those whose rounding errors the equations have at the start.
+    #[cold]
+    pub fn measure(&self, strongest: &mut [S::Scalar; N]) {
+        let accelerations = |state: &State<S::Scalar, N>| {
+            let State { t, q, v } = state;
+            self.system.accelerations_at(self.constants, *t, q, v, self.inputs)
+        };
+        let expected = self.slopes(num_traits::Zero::zero());
+        roundings(self.start, [&accelerations(self.start), &expected], accelerations, strongest);
+    }
+
+    /// The accelerations of the series.
+    fn slopes(&self, theta: S::Scalar) -> [S::Scalar; N] {
+        self.series.slopes(theta, self.orders).each(|slope| slope / self.unit)
+    }
+
     /// The strongest accelerations that lie ahead of a state at rest, in the lanes that have one: the forces
     /// that will set in are the only measure of the rounding errors of these that are there. What moves meets
     /// other forces before it is there.
@@ -145,7 +161,7 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
         let mut faults_at = |theta: S::Scalar, state: &State<S::Scalar, N>| {
             let State { t, q, v } = state;
             let found = self.system.accelerations_at(self.constants, *t, q, v, self.inputs);
-            let expected = self.series.slopes(theta, self.orders).each(|slope| slope / self.unit);
+            let expected = self.slopes(theta);
             agreement.faults(state, [&found, &expected], strongest)
         };
         let state_at = |theta: S::Scalar| {

@@ -299,8 +299,12 @@ where
     if !S::STEEP {
         probe.level(&mut strongest);
     }
-    let (mut length, mut is_shorter) = (memory.end.t - start.t, false);
+    let (mut length, mut is_shorter, mut is_measured) = (memory.end.t - start.t, false, false);
     while any(probe.faults(length / memory.unit, &mut strongest)) {
+        if !core::mem::replace(&mut is_measured, true) {
+            probe.measure(&mut strongest);
+            continue;
+        }
         length *= S::Scalar::from_f64(0.5);
         if step_size::is_below(length.abs(), resolution) {
             let cause = too_small(memory);
