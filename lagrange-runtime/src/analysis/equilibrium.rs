@@ -168,7 +168,8 @@ impl fmt::Display for EquilibriumError {
             Self::RanAway { coordinate, name } => write!(
                 out,
                 "no equilibrium found: the search ran away along coordinate {coordinate}, where the energy falls or the forces fade \
-                 but nothing rests; start nearer to an equilibrium, or ask for one of any stability with `stationary_point`",
+                 but nothing rests; start nearer to an equilibrium (`equilibrium` goes downhill, `stationary_point` to one of any \
+                 stability)",
                 coordinate = Part(*coordinate, *name)
             ),
         }

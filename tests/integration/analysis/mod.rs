@@ -14,6 +14,7 @@ mod nonholonomic;
 mod scalars;
 mod seeds;
 mod sensitivities;
+mod stiff;
 mod switches;
 mod turning;
 mod units;

@@ -3,6 +3,7 @@
 //! The oracle of a series is never another series: accelerations for the first coefficient, Dormand–Prince at
 //! the finest tolerance for motions, closed forms and conserved quantities where there are any.
 
+mod at_rest;
 mod control;
 mod failures;
 mod functions;

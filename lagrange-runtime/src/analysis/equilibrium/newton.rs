@@ -19,6 +19,10 @@ const STEPS: usize = 200;
 /// The damping at the start, and the largest one, relative to the largest singular value squared.
 const DAMPING: (f64, f64) = (1e-3, 1e12);
 
+/// The ratio of successive steps of Newton's method up to which it converges: that of Kantorovich's theorem
+/// where it just holds is a half.
+const CONTRACTS: f64 = 0.25;
+
 /// The ratio up to which two rounding errors of forces are alike.
 const ALIKE: f64 = 16.0;
 
@@ -92,26 +96,32 @@ where
             if rest.norm == zero || largest == zero {
                 return rest;
             }
-            loop {
+            let mut is_newton_tried = false;
+            let next = loop {
                 let change = self.displacement(&rest, &values, damping * largest);
                 let moved = array(|i| rest.q[i] + change[i]);
                 let next = self.feasible(moved).ok().map(|q| self.rest(q));
                 if let Some(next) = next.filter(|next| next.norm < rest.norm) {
-                    let way: [S::Scalar; N] = array(|i| next.q[i] - rest.q[i]);
-                    search.stepped(self.length(&way), &next);
-                    let next = self.turned_back(next, search);
-                    // Quadratic convergence needs a damping that vanishes with the forces.
-                    let share = next.norm / search.met;
-                    damping = smaller(damping * number(0.1), share * share);
-                    rest = next;
-                    values = SingularValues::new(&rest.stiffness.rows);
-                    break;
+                    break next;
+                }
+                if !core::mem::replace(&mut is_newton_tried, true)
+                    && let Some(next) = self.contracted(&rest, &values)
+                {
+                    break next;
                 }
                 damping = larger(damping * number(8.0), number(1e-6));
                 if damping > number(DAMPING.1) {
                     return rest;
                 }
-            }
+            };
+            let way: [S::Scalar; N] = array(|i| next.q[i] - rest.q[i]);
+            search.stepped(self.length(&way), &next);
+            let next = self.turned_back(next, search);
+            // Quadratic convergence needs a damping that vanishes with the forces.
+            let share = next.norm / search.met;
+            damping = smaller(damping * number(0.1), share * share);
+            rest = next;
+            values = SingularValues::new(&rest.stiffness.rows);
         }
         rest
     }
@@ -125,6 +135,22 @@ where
     ) -> [S::Scalar; N] {
         let change = self.allowed(rest).combined(&values.solve(&rest.forces, damping));
         change.each(|x| rest.length * x)
+    }
+
+    /// The end of Newton's step, if the next step is much shorter. Forces need not become smaller: a step
+    /// along a curved valley meets a stiff force that the next one removes.
+    #[inline(never)]
+    fn contracted(
+        &self,
+        rest: &Rest<S::Scalar, N, C>,
+        values: &SingularValues<S::Scalar, N>,
+    ) -> Option<Rest<S::Scalar, N, C>> {
+        let change = self.displacement(rest, values, S::Scalar::from_f64(0.0));
+        let next = self.rest(self.feasible(array(|i| rest.q[i] + change[i])).ok()?);
+        let values = SingularValues::new(&next.stiffness.rows);
+        let again = self.displacement(&next, &values, S::Scalar::from_f64(0.0));
+        let is_much_shorter = self.length(&again) <= S::Scalar::from_f64(CONTRACTS) * self.length(&change);
+        is_much_shorter.then_some(next)
     }
 
     /// The same position by orientations of less than a whole turn. Near a whole one a small turn changes a
@@ -155,7 +181,10 @@ where
         let is_rounding = remainder <= (epsilon * epsilon.sqrt()).sqrt() * largest.sqrt() * reach;
         // Forces that fade towards infinity become small, too, but the steps do not end there.
         let ends = step <= number(1e-3) * reach;
-        let is_small = rest.norm <= epsilon.sqrt() * search.met || step <= epsilon.sqrt() * reach;
+        // Nor are forces small compared with stiff ones on the way, if one more step removes most of them.
+        let is_short = step <= epsilon.sqrt() * reach;
+        let is_small =
+            is_short || rest.norm <= epsilon.sqrt() * search.met && self.contracted(rest, &values).is_none();
         // Where the stiffness vanishes, Newton's step does not.
         let here = rest.unit * largest.sqrt();
         let stiffest = larger(search.stiffest, here);
@@ -166,7 +195,7 @@ where
         let least = epsilon * (largest / (stiffness * stiffness));
         let is_regular = values.rank(least) == free;
         if is_rounding && ends && is_small {
-            let is_isolated = is_regular && step <= epsilon.sqrt() * reach;
+            let is_isolated = is_regular && is_short;
             return Verdict { is_balanced: true, ends, is_isolated, stiffness };
         }
         let are_errors = self.leaves_errors(rest, &values, &change);
