@@ -15,6 +15,12 @@ use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::state::State;
 
+/// The turns from one extrapolation of directions to the next.
+const EVERY: usize = 4;
+
+/// The longest extrapolation, in changes.
+const FURTHEST: f64 = 1024.0;
+
 /// A plane that bounds the shares: its product with multipliers is at least `bound`.
 #[derive(Clone, Copy)]
 pub(super) struct Cut<R, const C: usize> {
@@ -40,6 +46,17 @@ impl<R: Real, const N: usize, const C: usize> Spread<R, N, C> {
         }
         self.saddle.solve(&against, &[R::zero(); C]).1
     }
+}
+
+/// How much further than a change of directions leads the changes that will follow it, if each is as much
+/// shorter than the one before as this one than the `last` (Aitken's extrapolation). Directions between faces
+/// that nearly hold each other change slowly. Zero in most turns, so that other changes die away meanwhile.
+fn further<R: Real, const C: usize>(turn: usize, change: &[R; C], last: &[R; C]) -> R {
+    let ratio = product(change, last) / product(last, last);
+    let (zero, rest) = (R::zero(), R::one() - ratio);
+    let is_foreseen =
+        turn % EVERY == EVERY - 1 && ratio.is_positive() && above(rest, R::from_f64(FURTHEST).recip());
+    if is_foreseen { ratio / rest } else { zero }
 }
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
@@ -147,6 +164,7 @@ where
         let mut toward = base;
         // Without slips in two directions the limits are planes, and one turn finds the nearest.
         let turns = if const { has_pairs(&S::ROWS) } { 2 * TURNS } else { 1 };
+        let mut last = [zero; C];
         for turn in 0..turns {
             let mut sides = [[Bound::none(); C]; 2];
             for row in 0..C {
@@ -209,7 +227,10 @@ where
                     }
                 }
             }
-            toward = next;
+            let change: [S::Scalar; C] = array(|i| next[i] - toward[i]);
+            let further = further(turn, &change, &last);
+            toward = array(|i| further.mul_add(change[i], next[i]));
+            last = change;
         }
         None
     }
