@@ -23,6 +23,10 @@ const GAIN: f64 = 0.1;
 /// The factor by which the gain of margin that is sought becomes larger or smaller.
 const REACH: f64 = 4.0;
 
+/// How far from the shortest reactions others are looked for, in sizes of the load. Between faces that nearly
+/// hold each other, the last possible ones are larger than the load.
+const FAR: f64 = 64.0;
+
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
 where
     S: Switching<N, K, C, W>,
@@ -120,10 +124,10 @@ where
             predicted = reach - rest;
             point = array(|i| centre[i] + step[i]);
             // The mean of the active cuts bounds the margin by that of the centre, its error there, and its
-            // slope times the distance, of which the size of the load is the measure.
+            // slope times the distance.
             let slope = product(&step, &step).sqrt() / rest;
             let error = predicted - slope * slope * rest;
-            let gain = most(error, zero) + slope * size;
+            let gain = most(error, zero) + slope * number(FAR) * size;
             if above(-margin, gain) || !above(gain, S::Scalar::epsilon() * size) {
                 return false;
             }

@@ -1,10 +1,10 @@
-//! A ball that rolls in a groove: floor and wall share its load in ways that no law tells, as long as any
-//! shares keep the laws.
+//! Grooves: floor and wall, or two faces, share a load in ways that no law tells, as long as any shares keep the
+//! laws. A ball that rolls, and a grain that slides and stops.
 
 use lagrangian::prelude::*;
 
 use super::TIGHT;
-use crate::support::close::close;
+use crate::support::close::{close, close_on};
 use crate::support::sample::Samples;
 
 /// A ball in the corner of a floor and a wall, pressed against both and pulled along them.
@@ -150,5 +150,83 @@ fn balls_that_wobble_in_a_groove_go_on() {
             assert!((own - other).abs() < 1e-5, "{number}: {own} and {other}");
         }
         assert!(ends[1].q[2] - groove.radius > -TIGHT && -ends[1].q[0] - groove.radius > -TIGHT, "{number}");
+    }
+}
+
+/// A grain in a straight groove with frictions of two coefficients, which a growing force pushes along.
+struct Grain {
+    /// The tilt of the faces \[rad].
+    face: f64,
+    /// The slope of the groove \[rad].
+    slope: f64,
+    frictions: [f64; 2],
+    push: f64,
+}
+
+#[lagrangian(coordinates = [x, y, z])]
+impl Grain {
+    #[point(mass = 1.0)]
+    fn grain(&self, q: &Coordinates) -> Vector3<f64> {
+        Vector3::new(q.x, q.y, q.z)
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        10.0 * (q.z * self.slope.cos() - q.x * self.slope.sin())
+    }
+
+    #[force(on = x)]
+    fn force(&self, t: f64) -> f64 {
+        self.push * t
+    }
+
+    #[unilateral]
+    fn faces(&self, q: &Coordinates) -> [f64; 2] {
+        [1.0, -1.0].map(|side| q.z * self.face.cos() + side * q.y * self.face.sin())
+    }
+
+    #[friction(coefficient = self.frictions[0], normal = faces[0])]
+    fn left(&self, v: &Velocities) -> Vector2<f64> {
+        Vector2::new(v.x, v.y * self.face.cos() - v.z * self.face.sin())
+    }
+
+    #[friction(coefficient = self.frictions[1], normal = faces[1])]
+    fn right(&self, v: &Velocities) -> Vector2<f64> {
+        Vector2::new(v.x, v.y * self.face.cos() + v.z * self.face.sin())
+    }
+}
+
+#[test]
+fn a_grain_stops_and_rests_in_a_groove_of_two_coefficients() {
+    let mut samples = Samples::new(29);
+    for _ in 0..60 {
+        let face = samples.number(0.2, 1.3_f64);
+        let frictions = [samples.number(0.02, 0.32), samples.number(0.02, 0.32)];
+        // Each face bears g cos(slope) / (2 cos(face)).
+        let most = (frictions[0] + frictions[1]) / (2.0 * face.cos());
+        let slope = (samples.number(0.0, 0.8) * most).atan();
+        let grain = Grain { face, slope, frictions, push: 0.0 };
+        let speed = samples.number(0.3, 1.3);
+        let slows = 10.0 * (slope.cos() * most - slope.sin());
+        for (speed, way) in [(0.0, 0.0), (speed, 0.5 * speed * speed / slows)] {
+            let mut motion = grain.simulate(State::new([0.0; 3], [speed, 0.0, 0.0]));
+            let end = *motion.advance_to(speed / slows + 1.0).unwrap();
+            close_on(1.0 + way, end.q[0], way, 1e-9);
+            assert_eq!(end.v, [0.0; 3]);
+        }
+    }
+}
+
+#[test]
+fn a_grain_in_a_steep_groove_holds_as_long_as_any_reactions_do() {
+    // The largest force that reactions hold, found by writing them down.
+    for (face, frictions, holds) in [
+        (0.967_288_196_354_871_6, [0.282_567_493_938_796_7; 2], 5.458_589_348_239_824),
+        (0.968_875_469_782_762_2, [0.305_692_153_646_589_97; 2], 6.028_532_861_929_597),
+    ] {
+        let grain = Grain { face, slope: 0.0, frictions, push: holds };
+        let mut motion = grain.simulate(State::at_rest([0.0; 3]));
+        assert_eq!(motion.advance_to(0.999).unwrap().v, [0.0; 3]);
+        assert!(motion.advance_to(1.01).unwrap().v[0] > 0.0);
     }
 }
