@@ -20,10 +20,16 @@ const APART: f64 = 8.0;
 /// Safety factor on what these show.
 const SAFETY: f64 = 8.0;
 
+/// The part by which the numbers of a state change where the sizes of forces are looked at.
+const FAR: f64 = 1.0 / 16.0;
+
 /// Adds to the `strongest` accelerations those whose rounding errors are the ones that the equations have at a
 /// state. Forces that balance leave nothing but rounding errors, so accelerations at rest do not tell how
 /// large these are. The difference of both accelerations that are `found` at the state itself does, one by the
 /// equations and one by a series, and so do the accelerations at states that are some ulps beside it.
+///
+/// A jump of forces within these ulps is no rounding error: the forces that a large change of the state brings
+/// to light bound what counts.
 #[cold]
 pub(crate) fn roundings<R: Real, const N: usize>(
     state: &State<R, N>,
@@ -31,26 +37,28 @@ pub(crate) fn roundings<R: Real, const N: usize>(
     accelerations: impl Fn(&State<R, N>) -> [R; N],
     strongest: &mut [R; N],
 ) {
-    let per_ulp = R::from_f64(SAFETY / NOISE) / R::epsilon();
-    let mut add = |a: &[R; N]| {
-        for ((strongest, &a), &here) in strongest.iter_mut().zip(a).zip(found[0]) {
-            let size = per_ulp * (a - here).part(0).abs();
-            if size.is_finite() {
-                *strongest = strongest.max(size);
-            }
-        }
+    let apart = |a: &[R; N]| -> [R; N] { array(|i| (a[i] - found[0][i]).part(0).abs()) };
+    let most = |all: [R; N], own: [R; N]| -> [R; N] {
+        array(|i| if own[i].is_finite() { all[i].max(own[i]) } else { all[i] })
     };
-    add(found[1]);
-    for pattern in 0..BESIDE {
-        // Neighbours move against each other in the second half of the states, and with each other before.
-        let moved = |index: usize, x: R| {
-            let is_up = (pattern + index * (pattern / 2)).is_multiple_of(2);
-            let by = R::from_f64(if is_up { APART } else { -APART }) * R::epsilon();
-            x + by * x.abs()
-        };
-        let beside = |x: &[R; N], first: usize| array(|i| moved(first + i, x[i]));
-        let t = moved(0, state.t);
-        add(&accelerations(&State { t, q: beside(&state.q, 0), v: beside(&state.v, 1) }));
+    // The largest changes at states beside this one, whose numbers move against each other in one half of
+    // them, and with each other in the other.
+    let changes = |part: R| {
+        (0..BESIDE).fold([R::zero(); N], |all, pattern| {
+            let moved = |index: usize, x: R| {
+                let is_up = (pattern + index * (pattern / 2)).is_multiple_of(2);
+                x + if is_up { part } else { -part } * x.abs()
+            };
+            let beside = |x: &[R; N], first: usize| array(|i| moved(first + i, x[i]));
+            let t = moved(0, state.t);
+            most(all, apart(&accelerations(&State { t, q: beside(&state.q, 0), v: beside(&state.v, 1) })))
+        })
+    };
+    let [near, far] = [R::from_f64(APART) * R::epsilon(), R::from_f64(FAR)].map(changes);
+    let own = most([R::zero(); N], apart(found[1]));
+    let per_ulp = R::from_f64(SAFETY / NOISE) / R::epsilon();
+    for (i, strongest) in strongest.iter_mut().enumerate() {
+        *strongest = strongest.max(per_ulp * own[i]).max(far[i].min(per_ulp * near[i]));
     }
 }
 

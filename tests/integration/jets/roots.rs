@@ -133,3 +133,38 @@ where
         }
     }
 }
+
+/// A force of one size towards a place, or away from it.
+struct Towards {
+    force: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Towards {
+    #[point(mass = 1.0)]
+    fn body(&self, q: &Coordinates) -> f64 {
+        q.x
+    }
+
+    #[force(on = x)]
+    fn pull(&self, q: &Coordinates) -> f64 {
+        let way = q.x - 1.0;
+        self.force * way / (way * way).sqrt()
+    }
+}
+
+#[test]
+fn a_step_that_ends_where_a_force_has_no_direction_is_followed_by_others() {
+    let mut samples = Samples::new(9);
+    for round in 0..300 {
+        let force = samples.number(-2.0, 2.0);
+        let (x, v) = (samples.number(0.2, 0.9), samples.number(2.0, 5.0_f64));
+        let there = (v * v - 2.0 * force * (1.0 - x)).sqrt();
+        let end = (v - there) / force + 0.5;
+        let tolerance = [1e-6, 1e-8, 1e-10][round % 3];
+        let towards = Towards { force };
+        let mut motion = towards.simulate(State::new([x], [v])).with_tolerance(tolerance);
+        let found = *motion.advance_to(end).unwrap();
+        close_on(1.0, found.q[0], 1.0 + 0.5 * there + 0.125 * force, 1e2 * tolerance);
+    }
+}

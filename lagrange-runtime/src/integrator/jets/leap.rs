@@ -42,7 +42,12 @@ where
     let h = S::Scalar::from_f64(ACROSS) * memory.resolution() * (target - start.t).signum();
     let accelerations =
         |State { t, q, v }: &State<S::Scalar, N>| system.accelerations_at(constants, *t, q, v, &control.0);
-    let a = accelerations(&start);
+    let mut a = accelerations(&start);
+    // A step may end at the kink itself, where zero over zero is no force. Those right behind it count.
+    if memory.last.is_positive() && !a.iter().all(|a| a.is_finite()) {
+        let behind = array(|i| start.q[i] + h * start.v[i]);
+        a = accelerations(&State { t: start.t + h, q: behind, v: start.v });
+    }
     let half = S::Scalar::from_f64(0.5);
     let state_at = |theta: S::Scalar| {
         let h = theta * h;
