@@ -81,7 +81,8 @@ where
     }
 
     /// Moves to the next change of the regime up to time `until` \[s], which is included, and forward in time
-    /// alone. Without such a change it moves to `until` and returns `None`.
+    /// alone. Without such a change it moves to `until` and returns `None`. Rounding decides whether a change
+    /// at `until` itself is found. If it is not, the next call returns it.
     ///
     /// # Errors
     /// As [`Simulation::advance_to`].
@@ -94,10 +95,11 @@ where
         let mut attempts = self.limits.attempts;
         loop {
             if let Some((before, state)) = self.memory.switch()
-                && state.t > self.t()
+                && (state.t > self.t() || self.is_here(&before, &state))
                 && state.t <= until
             {
                 self.advance_to(state.t)?;
+                (self.state, self.memory.told) = (state, Some(state.t));
                 return Ok(Some(Switch { before, state }));
             }
             if self.memory.after().t >= until || self.t() >= until {
@@ -105,7 +107,8 @@ where
                 return Ok(None);
             }
             let Self { system, constants, control, limits, memory, .. } = self;
-            <Hybrid<M, C, W> as Adaptive<S, Held<S::Scalar, K>, N, K>>::step(
+            memory.tells = true;
+            let stepped = <Hybrid<M, C, W> as Adaptive<S, Held<S::Scalar, K>, N, K>>::step(
                 memory,
                 *system,
                 constants,
@@ -113,7 +116,16 @@ where
                 limits,
                 until,
                 &mut attempts,
-            )?;
+            );
+            self.memory.tells = false;
+            stepped?;
         }
+    }
+
+    /// Whether a change of the regime lies at the present time and has not been seen: it has not been told,
+    /// nor is the present state the one after it.
+    fn is_here(&self, before: &State<S::Scalar, N>, after: &State<S::Scalar, N>) -> bool {
+        let is_told = self.memory.told == Some(after.t);
+        after.t == self.t() && !is_told && (self.state != *after || before == after)
     }
 }

@@ -73,6 +73,8 @@ where
             next: None,
             impulses: [num_traits::Zero::zero(); C],
             switched: start.t,
+            told: None,
+            tells: false,
             way: Way::with([num_traits::Zero::zero(); N]),
             is_way: false,
             landed: [false; C],

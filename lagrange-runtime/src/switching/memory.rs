@@ -35,6 +35,10 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     /// The time of that change. A slip in two directions that comes to rest does so after the piece, and one
     /// that begins is followed from a little later on.
     pub(super) switched: R,
+    /// The time of the last change of regime that has been told; `None` before the first.
+    pub(super) told: Option<R>,
+    /// Whether a step ends at a change of regime even where no time has passed.
+    pub(super) tells: bool,
     /// The way from the piece to the state in `next`.
     pub(super) way: Way<R, N>,
     /// Whether the piece is such a way, which no method has taken.

@@ -288,3 +288,46 @@ fn no_impact_is_missed_however_far_the_target_is() {
         assert!(impacts > 0 && motion.t() == 10.0, "{i}: {impacts} impacts until {}", motion.t());
     }
 }
+
+/// A ball whose numbers are all exact: it strikes at 1/2, 1, 5/4, … up to 3/2.
+struct Exact;
+
+#[lagrangian(coordinates = [y])]
+impl Exact {
+    #[point(mass = 1.0)]
+    fn ball(&self, q: &Coordinates) -> f64 {
+        q.y
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        8.0 * q.y
+    }
+
+    #[unilateral(restitution = 0.5)]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        q.y
+    }
+}
+
+#[test]
+fn an_impact_at_a_time_that_is_asked_for_is_told_once() {
+    let strikes = [0.5, 1.0, 1.25, 1.375];
+    for stops in [&[][..], &[0.5], &[1.0], &[0.25, 0.5, 1.0, 1.25], &[0.5, 0.5, 0.75, 1.25]] {
+        let mut motion = Exact.simulate(State::at_rest([1.0]));
+        let mut told = Vec::new();
+        for &stop in stops.iter().chain(&[1.4]) {
+            while let Some(switch) = motion.advance_to_switch(stop).unwrap() {
+                close(switch.state.v[0], -0.5 * switch.before.v[0], 1e-13);
+                told.push(switch.state.t);
+            }
+            assert_eq!(motion.t(), stop);
+        }
+        all_close(told, strikes, 1e-13);
+    }
+    // Only what the state has not yet passed is told.
+    let mut motion = Exact.simulate(State::at_rest([1.0]));
+    let is_before = motion.advance_to(0.5).unwrap().v[0] < 0.0;
+    let first = motion.advance_to_switch(2.0).unwrap().unwrap();
+    close(first.state.t, if is_before { 0.5 } else { 1.0 }, 1e-13);
+}
