@@ -23,13 +23,13 @@ const SAFETY: f64 = 8.0;
 /// The part by which the numbers of a state change where the sizes of forces are looked at.
 const FAR: f64 = 1.0 / 16.0;
 
-/// Adds to the `strongest` accelerations those whose rounding errors are the ones that the equations have at a
-/// state. Forces that balance leave nothing but rounding errors, so accelerations at rest do not tell how
-/// large these are. The difference of both accelerations that are `found` at the state itself does, one by the
-/// equations and one by a series, and so do the accelerations at states that are some ulps beside it.
+/// Adds to the `strongest` accelerations those whose rounding errors are the ones that the equations have at
+/// a state. Forces that balance leave nothing but rounding errors, so accelerations at rest do not tell how
+/// large these are. The difference of both accelerations that are `found` at the state itself does, one by
+/// the equations and one by a series, and so do the accelerations at states that are some ulps beside it.
 ///
-/// A jump of forces within these ulps is no rounding error: the forces that a large change of the state brings
-/// to light bound what counts.
+/// A jump of forces within these ulps is no rounding error: the forces that a large change of the state
+/// brings to light bound what counts.
 #[cold]
 pub(crate) fn roundings<R: Real, const N: usize>(
     state: &State<R, N>,

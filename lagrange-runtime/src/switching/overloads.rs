@@ -120,8 +120,8 @@ where
         first
     }
 
-    /// The angle \[rad] by which rounding errors of a state may turn friction. A slip in two directions that is
-    /// about to come to rest has a direction with few digits, and reactions have no more.
+    /// The angle \[rad] by which rounding errors of a state may turn friction. A slip in two directions that
+    /// is about to come to rest has a direction with few digits, and reactions have no more.
     fn turned(&self, guards: &Functions<Rounded<S::Scalar>, C, W>) -> S::Scalar {
         let slips = |row: usize| entry(&self.regime.slip, row) != num_traits::Zero::zero();
         let mut angle = num_traits::Zero::zero();

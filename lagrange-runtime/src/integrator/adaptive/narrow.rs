@@ -77,7 +77,7 @@ where
         let agreement = Agreement { start: &start, span: h, tolerances: [limits.relative, absolute] };
         let state_at = |part| polynomial.at(&start, h, part);
         let accelerations = |state: &State<S::Scalar, N>| self.accelerations(state.t, &state.q, &state.v);
-        let mut has_faults = |strongest: &mut [S::Scalar; N]| {
+        let has_faults = |strongest: &mut [S::Scalar; N]| {
             let mut faults = |part: S::Scalar| {
                 let state = state_at(part);
                 let slopes = polynomial.slopes(part).each(|slope| slope / h);
