@@ -1,5 +1,5 @@
-//! Grooves: floor and wall, or two faces, share a load in ways that no law tells, as long as any shares keep the
-//! laws. A ball that rolls, and a grain that slides and stops.
+//! Grooves: floor and wall, or two faces, share a load in ways that no law tells, as long as any shares keep
+//! the laws. A ball that rolls, and a grain that slides and stops.
 
 use lagrangian::prelude::*;
 
