@@ -57,8 +57,9 @@ pub struct Model {
     pub forces: Vec<Force>,
     /// Constraints, arrays flattened, in the order of declaration.
     pub constraints: Vec<Constraint>,
-    /// The number of constraints, at the end of the list, that hold at times only.
-    pub at_times: usize,
+    /// The constraints, at the end of the list, that hold at times only: for each the row whose reaction
+    /// limits it, if it is a friction of one.
+    pub at_times: Vec<Option<usize>>,
     /// Gaps and slip velocities, in the order of declaration, gaps first: rows that are constraints at times.
     pub contacts: Vec<Contact>,
     /// Loads: reactions whose common size limits friction.

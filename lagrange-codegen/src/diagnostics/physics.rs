@@ -174,6 +174,14 @@ pub fn slip_not_affine(friction: &str) -> String {
     )
 }
 
+/// A friction that rubs in the direction of the reaction that limits it.
+pub fn slip_along_normal(friction: &str, normal: &str) -> String {
+    format!(
+        "the slip of the friction `{friction}` is the rate of `{normal}`, whose reaction limits it, so nothing rubs where that \
+         holds; return a velocity along the surface, such as `v.x` on a floor that `q.y` is above"
+    )
+}
+
 /// A constraint whose gradient vanishes, or has no value, on the constraint itself.
 pub fn vanishing_gradient(constraint: &str, advice: &str) -> String {
     format!(

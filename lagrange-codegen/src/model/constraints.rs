@@ -77,6 +77,16 @@ pub enum Law {
     },
 }
 
+impl Law {
+    /// The row whose reaction limits a friction, if it is a single one.
+    pub fn normal(&self) -> Option<usize> {
+        match *self {
+            Self::Friction { normal: Some(Normal::Row(row)), .. } => Some(row),
+            Self::Friction { .. } | Self::Unilateral { .. } => None,
+        }
+    }
+}
+
 /// The force that the coefficient of a friction multiplies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Normal {

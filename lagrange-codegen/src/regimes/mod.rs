@@ -233,7 +233,7 @@ fn on_sides(
 /// Makes the contacts of a model constraints that always hold, with rows for its loads behind them.
 fn as_rows(model: &mut Model) -> (Vec<Contact>, Vec<LoadRow>) {
     let mut contacts = std::mem::take(&mut model.contacts);
-    model.at_times = contacts.len();
+    model.at_times = contacts.iter().map(|contact| contact.law.normal()).collect();
     model.constraints.extend(contacts.iter().map(|contact| contact.constraint.clone()));
     let first = model.constraints.len();
     let (mut rows, mut indices) = (Vec::new(), Vec::new());

@@ -27,7 +27,7 @@ pub(in crate::mechanics) fn constraints(
 ) -> Vec<Vec<bool>> {
     let mut rows: Vec<Row> = Vec::with_capacity(model.constraints.len());
     // Rows that hold at times need not hold together.
-    let always = model.constraints.len() - model.at_times;
+    let always = model.constraints.len() - model.at_times.len();
     for (place, constraint) in model.constraints.clone().into_iter().enumerate() {
         let gradient = gradient(model, &constraint);
         let fault = fault(model, &constraint, &gradient, place >= always, allows);
@@ -45,6 +45,16 @@ pub(in crate::mechanics) fn constraints(
             {
                 diagnostics.at(rows[later].constraint.origin, message);
             }
+        }
+    }
+    for (slip, normal) in model.at_times.clone().into_iter().enumerate() {
+        let slip = &rows[always + slip];
+        if let Some(normal) = normal.and_then(|normal| rows.get(normal))
+            && is_rate(model, slip, normal)
+        {
+            let message =
+                physics::slip_along_normal(&slip.constraint.written(), &normal.constraint.written());
+            diagnostics.at(slip.constraint.origin, message);
         }
     }
     let count = model.coordinates.len();
@@ -165,6 +175,19 @@ fn is_sum_of_squares(graph: &Graph, base: NodeId, moving: Dependence) -> bool {
         && terms.len() > 1
         && terms.iter().all(|&(_, coefficient)| coefficient.is_negative() == negative)
         && terms.iter().all(is_square)
+}
+
+/// Whether a slip is a multiple of the rate of a gap or constraint.
+fn is_rate(model: &mut Model, slip: &Row, normal: &Row) -> bool {
+    if slip.faulty || normal.faulty || slip.columns != normal.columns {
+        return false;
+    }
+    let graph = &mut model.graph;
+    let mut ratios =
+        slip.columns.iter().map(|&column| graph.div(slip.gradient[column], normal.gradient[column]));
+    let first = ratios.next();
+    let are_alike = ratios.all(|ratio| Some(ratio) == first);
+    are_alike && first.is_some_and(|ratio| graph.as_constant(ratio).is_some())
 }
 
 /// Whether a constraint repeats an earlier one: their gradients are parallel everywhere.
