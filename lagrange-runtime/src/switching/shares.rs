@@ -48,10 +48,10 @@ impl<R: Real, const N: usize, const C: usize> Spread<R, N, C> {
     }
 }
 
-/// How much further than a change of directions leads the changes that will follow it, if each is as much
-/// shorter than the one before as this one than the `last` (Aitken's extrapolation). Directions between faces
-/// that nearly hold each other change slowly. Zero in most turns, so that other changes die away meanwhile.
-fn further<R: Real, const C: usize>(turn: usize, change: &[R; C], last: &[R; C]) -> R {
+/// The sum of the changes of directions that will follow a change, as a multiple of it, if each has the same
+/// ratio to the one before as this one to the `last` (Aitken's extrapolation). Directions between faces that
+/// nearly hold each other change slowly. Zero in most turns, so that other changes die away meanwhile.
+fn to_come<R: Real, const C: usize>(turn: usize, change: &[R; C], last: &[R; C]) -> R {
     let ratio = product(change, last) / product(last, last);
     let (zero, rest) = (R::zero(), R::one() - ratio);
     let is_foreseen =
@@ -228,8 +228,8 @@ where
                 }
             }
             let change: [S::Scalar; C] = array(|i| next[i] - toward[i]);
-            let further = further(turn, &change, &last);
-            toward = array(|i| further.mul_add(change[i], next[i]));
+            let ahead = to_come(turn, &change, &last);
+            toward = array(|i| ahead.mul_add(change[i], next[i]));
             last = change;
         }
         None

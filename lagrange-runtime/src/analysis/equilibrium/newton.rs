@@ -19,8 +19,8 @@ const STEPS: usize = 200;
 /// The damping at the start, and the largest one, relative to the largest singular value squared.
 const DAMPING: (f64, f64) = (1e-3, 1e12);
 
-/// The ratio of successive steps of Newton's method up to which it converges: that of Kantorovich's theorem
-/// where it just holds is a half.
+/// The ratio of successive steps of Newton's method up to which it counts as convergent. Where Kantorovich's
+/// theorem just holds the ratio is a half.
 const CONTRACTS: f64 = 0.25;
 
 /// The ratio up to which two rounding errors of forces are alike.
