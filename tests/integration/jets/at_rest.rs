@@ -54,7 +54,7 @@ where
     }
     let mut lane = Batch::new(system, start).with_tolerance(tolerance).with_max_steps(400);
     near(*lane.advance_to(2.0).unwrap());
-    let mut other = system.simulate_with::<Dop853>(start).with_tolerance(tolerance);
+    let other = system.simulate_with::<Dop853>(start).with_tolerance(tolerance);
     near(*other.with_max_steps(20_000).advance_to(2.0).unwrap());
 }
 
