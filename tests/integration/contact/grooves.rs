@@ -199,7 +199,7 @@ impl Grain {
 #[test]
 fn a_grain_stops_and_rests_in_a_groove_of_two_coefficients() {
     let mut samples = Samples::new(29);
-    for _ in 0..60 {
+    for _ in 0..20 {
         let face = samples.number(0.2, 1.3_f64);
         let frictions = [samples.number(0.02, 0.32), samples.number(0.02, 0.32)];
         // Each face bears g cos(slope) / (2 cos(face)).
