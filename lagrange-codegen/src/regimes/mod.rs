@@ -325,7 +325,7 @@ fn hold(
     let mut coupling = vec![vec![zero; count]; rows + loads.len()];
     let mut given = vec![zero; count];
     for (row, contact) in (held..).zip(contacts) {
-        let Law::Friction { kinetic, normal, pair, .. } = contact.law else { continue };
+        let Law::Friction { kinetic, pair, .. } = contact.law else { continue };
         // −μ times the direction of the slip, which the first of two components carries for both.
         let direction = match pair {
             None => switches.slip[row],
@@ -341,10 +341,7 @@ fn hold(
             }
         };
         let mut share = graph.mul(kinetic, direction);
-        let normal = match normal {
-            Some(Normal::Row(row)) => Some(row),
-            Some(Normal::Load(_)) | None => None,
-        };
+        let normal = contact.law.normal();
         // A load is a size and has no sign.
         if let Some(&side) = normal.and_then(|normal| switches.side.get(normal)) {
             share = graph.mul(share, side);

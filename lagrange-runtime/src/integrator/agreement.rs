@@ -1,5 +1,6 @@
 //! Whether accelerations of a polynomial through a step are those of the equations of motion.
 
+use super::beside::beside;
 use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::state::State;
@@ -11,10 +12,8 @@ const MARGIN: f64 = 16.0;
 /// Uncertainty of accelerations, in ulps of the largest one.
 const NOISE: f64 = 256.0;
 
-/// The states beside one at which [`roundings`] looks.
-const BESIDE: usize = 4;
-
-/// Their distance from it, in ulps. Forces are rounded, too, and may not notice a single one.
+/// The distance of states beside one at which [`roundings`] looks, in ulps. Forces are rounded, too, and may
+/// not notice a single one.
 const APART: f64 = 8.0;
 
 /// Safety factor on what these show.
@@ -41,18 +40,12 @@ pub(crate) fn roundings<R: Real, const N: usize>(
     let most = |all: [R; N], own: [R; N]| -> [R; N] {
         array(|i| if own[i].is_finite() { all[i].max(own[i]) } else { all[i] })
     };
-    // The largest changes at states beside this one, whose numbers move against each other in one half of
-    // them, and with each other in the other.
+    // The largest changes where all numbers of the state change by a part of themselves.
     let changes = |part: R| {
-        (0..BESIDE).fold([R::zero(); N], |all, pattern| {
-            let moved = |index: usize, x: R| {
-                let is_up = (pattern + index * (pattern / 2)).is_multiple_of(2);
-                x + if is_up { part } else { -part } * x.abs()
-            };
-            let beside = |x: &[R; N], first: usize| array(|i| moved(first + i, x[i]));
-            let t = moved(0, state.t);
-            most(all, apart(&accelerations(&State { t, q: beside(&state.q, 0), v: beside(&state.v, 1) })))
-        })
+        let sizes = |x: &[R; N]| -> [R; N] { array(|i| part * x[i].abs()) };
+        let by = State { t: part * state.t.abs(), q: sizes(&state.q), v: sizes(&state.v) };
+        let found = beside(state, &by).into_iter().map(|beside| apart(&accelerations(&beside)));
+        found.fold([R::zero(); N], most)
     };
     let [near, far] = [R::from_f64(APART) * R::epsilon(), R::from_f64(FAR)].map(changes);
     let own = most([R::zero(); N], apart(found[1]));

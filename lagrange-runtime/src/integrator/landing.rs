@@ -13,6 +13,7 @@
 
 pub(crate) mod energy;
 
+use super::beside::beside;
 use super::step_size;
 use crate::constraints::Footing;
 use crate::linear::{Independence, determined};
@@ -260,18 +261,14 @@ where
     #[cold]
     fn roundings(&self, state: &State<S::Scalar, N>, footing: &Footing<S::Scalar, N>) -> S::Scalar {
         let here = self.accelerations(state);
-        let mut largest = num_traits::Zero::zero();
-        for alternate in [false, true] {
-            let mut beside = *state;
-            let ulp = S::Scalar::epsilon() * state.t.abs();
-            beside.t += if alternate { -ulp } else { ulp };
-            for i in 0..N {
-                let ulp = footing.ulps_q[i];
-                beside.q[i] += if alternate && i % 2 == 1 { -ulp } else { ulp };
-            }
-            largest =
-                larger(largest, footing.metric.extent(&difference(&self.accelerations(&beside), &here)));
-        }
+        let by = State {
+            t: S::Scalar::epsilon() * state.t.abs(),
+            q: footing.ulps_q,
+            v: [num_traits::Zero::zero(); N],
+        };
+        let largest = beside(state, &by).iter().fold(num_traits::Zero::zero(), |largest, beside| {
+            larger(largest, footing.metric.extent(&difference(&self.accelerations(beside), &here)))
+        });
         S::Scalar::from_f64(MARGIN) * largest
     }
 

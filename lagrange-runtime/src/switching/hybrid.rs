@@ -104,7 +104,7 @@ where
             memory.regime = regime;
         }
         (memory.start, memory.end, memory.is_way) = (state, state, false);
-        (memory.is_fresh, memory.is_cut, memory.stuck) = (true, false, None);
+        (memory.is_fresh, memory.is_cut, memory.stuck, memory.told) = (true, false, None, None);
     }
 
     fn begin_anew(memory: &mut Self::Memory, state: State<S::Scalar, N>)

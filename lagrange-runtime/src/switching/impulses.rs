@@ -72,7 +72,8 @@ where
         // Slips may depend on each other. So changes of velocities are sought, which have slips of some
         // motion. Newton's method gives the digits that steps leave, or finds what they do not.
         let mut changes = smooth;
-        let mut turning = Turning::new();
+        // Friction that is strong, or a slip that is slow, makes longer steps overshoot.
+        let mut turning = Turning::new([0.25, 1.0]);
         let (mut near, mut is_near) = (smooth, false);
         for _ in 0..TURNS {
             let (strike, slips, lacks, is_done) = seek(&changes)?;

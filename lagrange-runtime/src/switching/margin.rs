@@ -23,10 +23,6 @@ const GAIN: f64 = 0.1;
 /// The factor by which the gain of margin that is sought becomes larger or smaller.
 const REACH: f64 = 4.0;
 
-/// How far from the shortest reactions others are looked for, in sizes of the load. Between faces that nearly
-/// hold each other, the last possible ones are larger than the load.
-const FAR: f64 = 64.0;
-
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
 where
     S: Switching<N, K, C, W>,
@@ -80,6 +76,7 @@ where
         let mut point = base;
         let mut predicted = zero;
         let mut reach = size;
+        let furthest = rounding::<S::Scalar>().sqrt().recip();
         for _ in 0..TURNS {
             // Tangents at the point, and the margin there.
             let mut least: Option<S::Scalar> = None;
@@ -124,10 +121,11 @@ where
             predicted = reach - rest;
             point = array(|i| centre[i] + step[i]);
             // The mean of the active cuts bounds the margin by that of the centre, its error there, and its
-            // slope times the distance.
+            // slope times the distance. Shares so far away that their rounding errors change the motion are
+            // none.
             let slope = product(&step, &step).sqrt() / rest;
             let error = predicted - slope * slope * rest;
-            let gain = most(error, zero) + slope * number(FAR) * size;
+            let gain = most(error, zero) + slope * furthest * size;
             if above(-margin, gain) || !above(gain, S::Scalar::epsilon() * size) {
                 return false;
             }

@@ -11,7 +11,7 @@ use super::course::Course;
 use super::guards::{Guard, Guards, Parts};
 use super::narrow::InGuards;
 use super::scene::{entry, most};
-use super::turning::pairs;
+use super::turning::{has_pairs, pairs};
 use super::{Along, Functions, Switching};
 use crate::integrator::hidden::{Hiding, InEquations, PLACES, Passage, SAMPLES, range, sample};
 use crate::number::elements::array;
@@ -123,8 +123,12 @@ where
     /// The angle \[rad] by which rounding errors of a state may turn friction. A slip in two directions that
     /// is about to come to rest has a direction with few digits, and reactions have no more.
     fn turned(&self, guards: &Functions<Rounded<S::Scalar>, C, W>) -> S::Scalar {
-        let slips = |row: usize| entry(&self.regime.slip, row) != num_traits::Zero::zero();
-        let mut angle = num_traits::Zero::zero();
+        let zero: S::Scalar = num_traits::Zero::zero();
+        if const { !has_pairs(&S::ROWS) } {
+            return zero;
+        }
+        let slips = |row: usize| entry(&self.regime.slip, row) != zero;
+        let mut angle = zero;
         for row in pairs(&S::ROWS).map(|[row, _]| row).filter(|&row| slips(row)) {
             if let Some(&Rounded { value, error }) = guards.rows.get(row) {
                 angle = most(angle, error.part(0) / value.part(0).abs());

@@ -8,18 +8,12 @@ use super::choice::{Choice, is_limit};
 use super::nearest::{Bound, Nearest, nearest};
 use super::scene::{Scene, Status, Sticking, above, against, entry, extent, most, product, rounding};
 use super::sided::laws_on;
-use super::turning::{TURNS, has_pairs};
+use super::turning::{TURNS, Turning, has_pairs};
 use super::{Coefficients, Regime, Row, Switching};
 use crate::linear::{SaddlePoint, Switched};
 use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::state::State;
-
-/// The turns from one extrapolation of directions to the next.
-const EVERY: usize = 4;
-
-/// The longest extrapolation, in changes.
-const FURTHEST: f64 = 1024.0;
 
 /// A plane that bounds the shares: its product with multipliers is at least `bound`.
 #[derive(Clone, Copy)]
@@ -46,17 +40,6 @@ impl<R: Real, const N: usize, const C: usize> Spread<R, N, C> {
         }
         self.saddle.solve(&against, &[R::zero(); C]).1
     }
-}
-
-/// The sum of the changes of directions that will follow a change, as a multiple of it, if each has the same
-/// ratio to the one before as this one to the `last` (Aitken's extrapolation). Directions between faces that
-/// nearly hold each other change slowly. Zero in most turns, so that other changes die away meanwhile.
-fn to_come<R: Real, const C: usize>(turn: usize, change: &[R; C], last: &[R; C]) -> R {
-    let ratio = product(change, last) / product(last, last);
-    let (zero, rest) = (R::zero(), R::one() - ratio);
-    let is_foreseen =
-        turn % EVERY == EVERY - 1 && ratio.is_positive() && above(rest, R::from_f64(FURTHEST).recip());
-    if is_foreseen { ratio / rest } else { zero }
 }
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
@@ -164,7 +147,8 @@ where
         let mut toward = base;
         // Without slips in two directions the limits are planes, and one turn finds the nearest.
         let turns = if const { has_pairs(&S::ROWS) } { 2 * TURNS } else { 1 };
-        let mut last = [zero; C];
+        // Directions between faces that nearly hold each other change by a small part of their way in a turn.
+        let mut turning = Turning::new([1.0, f64::INFINITY]);
         for turn in 0..turns {
             let mut sides = [[Bound::none(); C]; 2];
             for row in 0..C {
@@ -227,10 +211,9 @@ where
                     }
                 }
             }
-            let change: [S::Scalar; C] = array(|i| next[i] - toward[i]);
-            let ahead = to_come(turn, &change, &last);
-            toward = array(|i| ahead.mul_add(change[i], next[i]));
-            last = change;
+            let change = array(|i| next[i] - toward[i]);
+            let share = turning.share(&toward, &change);
+            toward = array(|i| share.mul_add(change[i], toward[i]));
         }
         None
     }

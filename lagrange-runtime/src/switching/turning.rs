@@ -12,7 +12,7 @@
 use super::Row;
 use super::scene::{above, entry, most, put};
 use crate::linear::Lu;
-use crate::number::elements::array;
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 
 /// The most steps of a search.
@@ -21,17 +21,20 @@ pub(super) const TURNS: usize = 300;
 /// A search for the slips of some rows.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turning<R, const C: usize> {
+    /// The first share, and the largest one.
+    shares: [R; 2],
     last: Option<([R; C], [R; C])>,
 }
 
 impl<R: Real, const C: usize> Turning<R, C> {
-    pub(super) const fn new() -> Self {
-        Self { last: None }
+    /// A search with this first share, and the largest one.
+    pub(super) fn new(shares: [f64; 2]) -> Self {
+        Self { shares: shares.each(R::from_f64), last: None }
     }
 
-    /// The share of their lacks F − x by which the slips `x` are to change; a quarter in the first step.
+    /// The share of their lacks F − x by which the `x` are to change.
     pub(super) fn share(&mut self, x: &[R; C], lack: &[R; C]) -> R {
-        let mut share = R::from_f64(0.25);
+        let [mut share, largest] = self.shares;
         if let Some((before, lacked)) = self.last {
             let (mut along, mut square) = (R::zero(), R::zero());
             // Derivatives are iterated as the values are, by the same operator.
@@ -43,8 +46,7 @@ impl<R: Real, const C: usize> Turning<R, C> {
             if square.is_positive() && along != R::zero() {
                 share = along.abs() / square;
             }
-            let (least, whole) = (R::from_f64(1e-4), R::one());
-            share = if above(share, whole) { whole } else { most(share, least) };
+            share = if above(share, largest) { largest } else { most(share, R::from_f64(1e-4)) };
         }
         self.last = Some((*x, *lack));
         share

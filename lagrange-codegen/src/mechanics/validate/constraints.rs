@@ -50,7 +50,7 @@ pub(in crate::mechanics) fn constraints(
     for (slip, normal) in model.at_times.clone().into_iter().enumerate() {
         let slip = &rows[always + slip];
         if let Some(normal) = normal.and_then(|normal| rows.get(normal))
-            && is_rate(model, slip, normal)
+            && is_rate(&mut model.graph, slip, normal)
         {
             let message =
                 physics::slip_along_normal(&slip.constraint.written(), &normal.constraint.written());
@@ -177,17 +177,24 @@ fn is_sum_of_squares(graph: &Graph, base: NodeId, moving: Dependence) -> bool {
         && terms.iter().all(is_square)
 }
 
-/// Whether a slip is a multiple of the rate of a gap or constraint.
-fn is_rate(model: &mut Model, slip: &Row, normal: &Row) -> bool {
-    if slip.faulty || normal.faulty || slip.columns != normal.columns {
-        return false;
+/// The ratio of the gradients of two rows, if these are parallel everywhere.
+fn ratio(graph: &mut Graph, earlier: &Row, later: &Row) -> Option<NodeId> {
+    if earlier.faulty || later.faulty || earlier.columns != later.columns {
+        return None;
     }
-    let graph = &mut model.graph;
-    let mut ratios =
-        slip.columns.iter().map(|&column| graph.div(slip.gradient[column], normal.gradient[column]));
-    let first = ratios.next();
-    let are_alike = ratios.all(|ratio| Some(ratio) == first);
-    are_alike && first.is_some_and(|ratio| graph.as_constant(ratio).is_some())
+    let mut ratio = None;
+    for &column in &later.columns {
+        let quotient = graph.div(later.gradient[column], earlier.gradient[column]);
+        if *ratio.get_or_insert(quotient) != quotient {
+            return None;
+        }
+    }
+    ratio
+}
+
+/// Whether a slip is a multiple of the rate of a gap or constraint.
+fn is_rate(graph: &mut Graph, slip: &Row, normal: &Row) -> bool {
+    ratio(graph, normal, slip).is_some_and(|ratio| graph.as_constant(ratio).is_some())
 }
 
 /// Whether a constraint repeats an earlier one: their gradients are parallel everywhere.
@@ -197,20 +204,11 @@ fn repetition(
     later: &Row,
     allows: &dyn Fn(&str) -> bool,
 ) -> Option<String> {
-    if earlier.faulty || later.faulty || earlier.columns != later.columns {
-        return None;
-    }
     let graph = &mut model.graph;
-    let mut ratio = None;
-    for &column in &later.columns {
-        let quotient = graph.div(later.gradient[column], earlier.gradient[column]);
-        if *ratio.get_or_insert(quotient) != quotient {
-            return None;
-        }
-    }
+    let ratio = ratio(graph, earlier, later)?;
     let (name, other) = (later.constraint.written(), earlier.constraint.written());
     if earlier.constraint.kind == later.constraint.kind
-        && let Some(factor) = ratio.and_then(|ratio| graph.as_constant(ratio))
+        && let Some(factor) = graph.as_constant(ratio)
     {
         let difference = graph
             .sum(Number::ZERO, &[(later.constraint.value, Number::ONE), (earlier.constraint.value, -factor)]);
