@@ -66,13 +66,17 @@ where
         scales: &Scales<S::Scalar, C>,
     ) -> Option<Choice<S::Scalar, N, C, W>> {
         let half = S::Scalar::from_f64(0.5);
+        let changed = S::Scalar::epsilon().sqrt();
+        // A load that has changed by no more than a rounding error in all of the motion changes by √ε in this
+        // time, which is unknown where a motion begins at time zero.
+        let longest = scales.times / changed;
         let mut later = self.instant();
         for _ in 0..TRIES {
             // At half of the time it may still be hidden by the rounding errors of the time of the event, and
             // at the limit several regimes pass for possible that nothing drives.
             let driven = |later: S::Scalar| {
                 let (regime, part) = self.loose_at(stuck, scales, later)?;
-                above(part, S::Scalar::epsilon().sqrt()).then_some(regime)
+                above(part, changed).then_some(regime)
             };
             if let Some(regime) = driven(later)
                 && let Some(before) = driven(half * later)
@@ -80,6 +84,9 @@ where
                 return if before == regime { self.trial(regime) } else { None };
             }
             later *= S::Scalar::from_f64(4.0);
+            if longest.is_positive() && above(later, longest) {
+                break;
+            }
         }
         None
     }

@@ -76,7 +76,7 @@ where
             let scales = &mut self.memory.scales;
             let impulses = &mut self.memory.impulses;
             *impulses = [num_traits::Zero::zero(); C];
-            scales.see(&self.system.laws_at(state.t, &state.q, &state.v, inputs));
+            scales.see(state.t, &self.system.laws_at(state.t, &state.q, &state.v, inputs));
             let first = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
             let (later, last);
             let mut scene = &first;
@@ -244,7 +244,7 @@ where
                 // Kinks alone have no gaps, and no scales.
                 if C > 0 {
                     let laws = self.system.laws_at(end.t, &end.q, &end.v, &self.control.0);
-                    self.memory.scales.see(&laws);
+                    self.memory.scales.see(end.t, &laws);
                     // No step ends behind an open contact, even if a polynomial has missed it.
                     if let Some(cause) = self.missed(&laws) {
                         self.memory.end = start;

@@ -35,6 +35,8 @@ pub(super) struct Scales<R, const C: usize> {
     pub(super) reactions: [R; C],
     /// The largest coefficients of friction, where they change.
     pub(super) coefficients: [R; C],
+    /// The largest |t| \[s].
+    pub(super) times: R,
     /// The tolerance of the motion.
     pub(super) relative: R,
 }
@@ -48,6 +50,7 @@ impl<R: Real, const C: usize> Scales<R, C> {
             impacts: none,
             reactions: none,
             coefficients: none,
+            times: R::zero(),
             relative: R::zero(),
         }
     }
@@ -66,8 +69,9 @@ impl<R: Real, const C: usize> Scales<R, C> {
         }
     }
 
-    /// Takes in another state.
-    pub(super) fn see<const W: usize>(&mut self, laws: &Laws<R, C, W>) {
+    /// Takes in another state, by its time and its laws.
+    pub(super) fn see<const W: usize>(&mut self, t: R, laws: &Laws<R, C, W>) {
+        self.times = most(self.times, t.part(0).abs());
         let sizes = [(&mut self.gaps, &laws.rows.position_sizes), (&mut self.speeds, &laws.rows.rate_sizes)];
         for (seen, now) in sizes {
             // Beside a kink, the function of the other side may have no gradient.

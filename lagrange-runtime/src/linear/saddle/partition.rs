@@ -60,7 +60,7 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
         // The column of a lead becomes 0 up to rounding, and is not read again.
         let (row, part) = (rows[k], parts[k]);
         for c in 0..C {
-            if c != k {
+            if c != k && is_active(c) {
                 let l = -pick(&rows[c], lead);
                 add_scaled(&mut rows[c], &row, l);
                 add_scaled(&mut parts[c], &part, l);

@@ -151,6 +151,10 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
         self.leads.swap(k, index);
         let beta = (square + norm * largest.abs()).recip();
         for c in k + 1..C {
+            // Nothing is left of it, or it is a row that does not act.
+            if squares[c] == R::zero() {
+                continue;
+            }
             let along = dot(&u, &rows[c]) * beta;
             add_scaled(&mut rows[c], &u, -along);
             self.lower[c][k] = pick(&rows[c], lead);

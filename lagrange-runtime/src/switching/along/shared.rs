@@ -11,11 +11,11 @@ use super::super::guards::{Guard, Guards, PLACES, Parts};
 use super::super::known::Known;
 use super::super::loose::{is_shared, may_share};
 use super::super::scales::Scales;
-use super::super::scene::{Scene, Sticking, rounding};
+use super::super::scene::{Scene, Sticking, above, rounding};
 use super::super::turning::has_pairs;
 use crate::motion::roots::{Fall, reach};
 use crate::number::elements::array;
-use crate::number::real::{Ordered, Real, smaller};
+use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::system::state::State;
 
 /// How often the part of the step is halved in which shares cease to be possible. Halving ends where places
@@ -144,9 +144,15 @@ where
             for direction in self.directions_of(guard) {
                 let Some(curve) = self.curve(guard, direction, course, start) else { continue };
                 let at = |look: usize| from + S::Scalar::from_f64(look as f64) * apart;
+                // On a short part the values at all places may differ by rounding errors alone.
+                let noise = rounding::<S::Scalar>() * curve.on(from, to - from).extent();
                 for look in 1..LOOKS {
                     let [before, here, after] = [look - 1, look, look + 1].map(|look| curve.at(at(look)));
-                    if here >= num_traits::Zero::zero() || here > before || here > after {
+                    let is_least = here <= before && here <= after;
+                    if here >= num_traits::Zero::zero()
+                        || !is_least
+                        || !above(larger(before, after) - here, noise)
+                    {
                         continue;
                     }
                     // The vertex of the parabola through the three.
