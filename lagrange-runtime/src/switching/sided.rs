@@ -26,7 +26,7 @@ where
     laws
 }
 
-/// Sets the rates of gaps, and slip velocities, to those on these sides.
+/// Sets gaps and their rates, and slip velocities, to those on these sides.
 #[cold]
 fn take_side<S, const N: usize, const K: usize, const C: usize, const W: usize>(
     system: &S,
@@ -39,11 +39,18 @@ fn take_side<S, const N: usize, const K: usize, const C: usize, const W: usize>(
 {
     let wanted = Wanted { rows: [true; C], fixed: [false; C], kinks: [false; W] };
     let functions = along(system, state, &[num_traits::Zero::zero(); N], inputs, kinks, &wanted);
+    let positions = laws.rows.positions.iter_mut().zip(&mut laws.rows.position_sizes);
     let rates = laws.rows.rates.iter_mut().zip(&mut laws.rows.rate_sizes);
-    for ((rate, size), (kind, function)) in rates.zip(S::ROWS.iter().zip(&functions.rows)) {
+    let rows = positions.zip(rates).zip(S::ROWS.iter().zip(&functions.rows));
+    for (((position, extent), (rate, size)), (kind, function)) in rows {
         match kind {
             // The derivative of a gap along the motion is its rate. Slip velocities are no rates.
-            Row::Unilateral => *rate = function.slopes[0],
+            Row::Unilateral => {
+                (*position, *rate) = (function.value, function.slopes[0]);
+                if !extent.is_finite() || (position.abs() - *extent).is_positive() {
+                    *extent = position.abs();
+                }
+            }
             Row::Friction { .. } => *rate = function.value,
             Row::Bilateral | Row::Load => continue,
         }

@@ -162,3 +162,53 @@ fn no_bead_leaps_from_wire_to_wire() {
     assert!(end.q[0] > 1.0);
     close(end.q[1], 0.2 * end.q[0] * end.q[0], 1e-13);
 }
+
+/// A round table above a floor.
+struct RoundTable {
+    radius: f64,
+    height: f64,
+}
+
+#[lagrangian(coordinates = [x, y, z])]
+impl RoundTable {
+    #[point(mass = 1.0)]
+    fn puck(&self, q: &Coordinates) -> Vector3<f64> {
+        Vector3::new(q.x, q.y, q.z)
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        9.81 * q.z
+    }
+
+    #[unilateral]
+    fn table(&self, q: &Coordinates) -> f64 {
+        if q.x * q.x + q.y * q.y < self.radius * self.radius { q.z } else { q.z + self.height }
+    }
+}
+
+/// Rounding errors of the state put it on either side of the edge where the motion crosses that.
+#[test]
+fn on_whichever_side_of_an_edge_a_state_is_rounded_to_a_body_falls() {
+    let mut random = Samples::new(31);
+    for _ in 0..60 {
+        let table = RoundTable { radius: random.number(0.5, 2.0), height: random.number(0.05, 0.5) };
+        let [x, y] = [(); 2].map(|()| random.number(-0.3, 0.3));
+        let (speed, angle) = (random.number(0.5, 3.0), random.number(-3.1, 3.1));
+        let (u, v) = (speed * angle.cos(), speed * angle.sin());
+        let along = x * u + y * v;
+        let left = along * along - speed * speed * (x * x + y * y - table.radius * table.radius);
+        let edge = (left.sqrt() - along) / (speed * speed);
+        let (start, falls) = (State::new([x, y, 0.0], [u, v, 0.0]), 0.02);
+        let fallen = -0.5 * 9.81 * falls * falls;
+        let mut motion = table.simulate(start).with_tolerance(1e-10);
+        let switch = motion.advance_to_switch(2.0 * edge).unwrap().expect("it comes to the edge");
+        close_on(1.0, switch.state.q[2], 0.0, 1e-15);
+        close_on(1.0, motion.advance_to(edge + falls).unwrap().q[2], fallen, 1e-10);
+        let mut stepper = table.stepper::<Jet<6>>(start);
+        for _ in 0..20 {
+            stepper.step((edge + falls) / 20.0, &[]).unwrap();
+        }
+        close_on(1.0, stepper.state().q[2], fallen, 1e-10);
+    }
+}
