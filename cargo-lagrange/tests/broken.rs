@@ -226,6 +226,26 @@ fn impossible_inertias_are_taken_when_asked_for() {
     assert!(import.notes[0].starts_with("warning: r.urdf:6:7: <inertia> of"), "{:?}", import.notes);
 }
 
+/// Programs that write URDF give all joints the same elements.
+#[test]
+fn nothing_resists_in_a_fixed_joint() {
+    let with = |inside: &str| {
+        broken(
+            "</robot>",
+            &format!(
+                "<link name=\"tool\"/><joint name=\"f\" type=\"fixed\"><parent link=\"arm\"/><child link=\"tool\"/>{inside}</joint>
+                 </robot>"
+            ),
+        )
+    };
+    let text = |file: &str| {
+        let options = Options { friction: true, limits: true, ..Options::default() };
+        import("r.urdf", file, &options).unwrap_or_else(|report| panic!("{report}")).text
+    };
+    assert_eq!(text(&with("<dynamics damping=\"0.1\" friction=\"0.2\"/>")), text(&with("")));
+    assert!(message(&with("<dynamics damping=\"-1\"/>")).contains("`damping` is negative"));
+}
+
 fn mjcf(inside: &str) -> String {
     let text = format!("<mujoco>\n{inside}\n</mujoco>\n");
     match import("m.xml", &text, &Options::default()) {

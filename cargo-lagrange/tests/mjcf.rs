@@ -125,3 +125,38 @@ fn the_outermost_defaults_may_stand_in_several_parts() {
     assert_eq!(of(&sizes, "size=\".4\""), whole);
     assert_eq!(of(&sizes, "class=\"short\""), whole);
 }
+
+/// As MuJoCo 4 has it, whatever the forms are.
+#[test]
+fn an_orientation_overrides_those_of_outer_classes() {
+    let of = |defaults: &str, geom: &str| {
+        let text = format!(
+            "<mujoco><default>{defaults}</default><worldbody><body name=\"arm\"><joint name=\"turn\"/>
+             <geom type=\"box\" size=\".1 .2 .3\" {geom}/></body></worldbody></mujoco>"
+        );
+        import("m.xml", &text, &Options::default()).unwrap_or_else(|report| panic!("{report}")).text
+    };
+    // About the vertical axis, by `mj_fullM`.
+    let turned = of("<geom quat=\"1 2 3 4\"/>", "euler=\"30 0 10\"");
+    assert!(turned.contains("1.00361844"), "{turned}");
+    let forms = [
+        "quat=\"1 2 3 4\"",
+        "axisangle=\"1 1 0 40\"",
+        "euler=\"30 0 10\"",
+        "xyaxes=\"1 1 0 0 1 1\"",
+        "zaxis=\"1 2 3\"",
+    ];
+    for outer in forms {
+        for own in forms {
+            let alone = of("", own);
+            assert_eq!(of(&format!("<geom {outer}/>"), own), alone, "{outer} {own}");
+            let inner = format!("<geom {outer}/><default class=\"inner\"><geom {own}/></default>");
+            assert_eq!(of(&inner, "class=\"inner\""), alone, "{outer} {own}");
+            assert_eq!(of(&format!("<geom {own}/>"), ""), alone);
+            // Two points say where it points to, wherever they stand.
+            let ends = "fromto=\"0 0 0 0 .3 .4\"";
+            assert_eq!(of(&format!("<geom {outer}/>"), ends), of("", ends));
+            assert_eq!(of(&format!("<geom {ends}/>"), own), of("", ends));
+        }
+    }
+}

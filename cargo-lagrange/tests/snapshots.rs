@@ -74,6 +74,12 @@ fn joints() {
 }
 
 #[test]
+fn ties_as_constraints() {
+    let options = Options { mimic: Following::Constrain, inputs: Inputs::None, ..Options::default() };
+    holds("tied.xml", "tied_constrained", &options);
+}
+
+#[test]
 fn free_and_ball_joints() {
     holds("floating.xml", "floating", &Options::default());
 }

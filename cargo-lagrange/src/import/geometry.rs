@@ -33,6 +33,15 @@ impl Angle {
         }
     }
 
+    /// The angle the other way round.
+    fn opposite(self) -> Self {
+        match self {
+            Angle::Quarters(2) => self,
+            Angle::Quarters(quarters) => Angle::Quarters(-quarters),
+            Angle::Radians(radians) => Angle::Radians(-radians),
+        }
+    }
+
     /// Sine and cosine.
     pub fn sin_cos(self) -> (f64, f64) {
         match self {
@@ -97,8 +106,11 @@ impl Rotation {
         Rotation { matrix, angles: None }
     }
 
-    /// About a unit axis, by an angle.
+    /// About a unit axis, by an angle. Right angles about coordinate axes and their opposites stay exact.
     pub fn about(axis: Vector, angle: Angle) -> Self {
+        if axis.contains(&-1.0) {
+            return Rotation::about(axis.map(f64::abs), angle.opposite());
+        }
         let (sine, cosine) = angle.sin_cos();
         let [x, y, z] = axis;
         let v = 1.0 - cosine;

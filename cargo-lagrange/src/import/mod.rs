@@ -13,6 +13,7 @@ mod plan;
 mod report;
 mod robot;
 mod schema;
+mod ties;
 mod tree;
 mod urdf;
 mod weight;

@@ -60,10 +60,13 @@ pub fn motions(
     options: &Options,
     names: &mut Names,
     sink: &mut Sink,
-) -> Option<(Vec<Coordinate>, Vec<Motion>)> {
+) -> (Vec<Coordinate>, Vec<Motion>) {
     let mut coordinates = Vec::new();
     let mut motions = vec![Motion::Own(Vec::new()); robot.joints.len()];
-    let follows = |joint: &Joint| joint.mimic.filter(|_| options.mimic == Following::Eliminate);
+    let follows = |joint: &Joint| -> Option<(usize, f64, f64)> {
+        let Mimic { of, multiplier, offset, .. } = joint.mimics.first()?;
+        of.filter(|_| options.mimic == Following::Eliminate).map(|of| (of, *multiplier, *offset))
+    };
     for &index in &tree.order {
         let joint = &robot.joints[index];
         if follows(joint).is_some() {
@@ -90,23 +93,16 @@ pub fn motions(
         motions[index] = Motion::Own(own);
     }
     for (index, joint) in robot.joints.iter().enumerate() {
-        let Some(mut mimic) = follows(joint) else { continue };
-        let mut steps = 0;
-        while let Some(next) = robot.joints[mimic.of].mimic {
-            let Mimic { of, multiplier, offset } = next;
-            mimic.offset += mimic.multiplier * offset;
-            mimic.multiplier *= multiplier;
-            mimic.of = of;
-            steps += 1;
-            if steps > robot.joints.len() {
-                sink.problem(&joint.mark, "it follows itself; untie one joint of this circle");
-                return None;
-            }
+        let Some((mut of, mut multiplier, mut offset)) = follows(joint) else { continue };
+        // There are no circles: `ties` refuses them.
+        while let Some(next) = follows(&robot.joints[of]) {
+            offset += multiplier * next.2;
+            multiplier *= next.1;
+            of = next.0;
         }
-        if let Motion::Own(own) = &motions[mimic.of] {
-            motions[index] =
-                Motion::Follows { of: own[0], multiplier: mimic.multiplier, offset: mimic.offset };
+        if let Motion::Own(own) = &motions[of] {
+            motions[index] = Motion::Follows { of: own[0], multiplier, offset };
         }
     }
-    Some((coordinates, motions))
+    (coordinates, motions)
 }

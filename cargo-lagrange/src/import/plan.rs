@@ -8,6 +8,7 @@ use super::motions::{self, Coordinate, Motion, Shape};
 use super::names::{Names, alone, camel, snake};
 use super::report::Sink;
 use super::robot::{Action, Doubtful, Drive, Joint, Kind, Robot};
+use super::ties;
 use super::tree::{Tree, add_floating_base, tree};
 use super::weight::does_work;
 use super::{Following, Inputs, Options};
@@ -66,6 +67,7 @@ pub struct Body {
 /// Plans a description; what is wrong goes to the sink.
 pub fn plan(mut robot: Robot, options: &Options, file: &str, sink: &mut Sink) -> Option<Plan> {
     let mut found = tree(&robot, sink)?;
+    ties::settle(&mut robot, options, sink)?;
     if options.floating {
         add_floating_base(&mut robot, &found);
         found = tree(&robot, sink)?;
@@ -73,7 +75,7 @@ pub fn plan(mut robot: Robot, options: &Options, file: &str, sink: &mut Sink) ->
     let title = robot.name.clone().unwrap_or_else(|| stem(file).to_owned());
     let name = options.name.clone().unwrap_or_else(|| camel(&title));
     let mut names = Names::default();
-    let (coordinates, motions) = motions::motions(&robot, &found, options, &mut names, sink)?;
+    let (coordinates, motions) = motions::motions(&robot, &found, options, &mut names, sink);
     let mut plan = Plan {
         name,
         title,
@@ -91,7 +93,8 @@ pub fn plan(mut robot: Robot, options: &Options, file: &str, sink: &mut Sink) ->
         let mark = plan.robot.links[plan.tree.root].mark.clone();
         sink.problem(
             &mark,
-            "no joint moves; add a joint that is not fixed, or let the root move with --floating",
+            "no joint moves; add a joint that is not fixed, or let the robot move freely: a URDF with --floating, a \
+             body of MJCF by <freejoint/>",
         );
         return None;
     }
@@ -264,7 +267,9 @@ impl Plan {
         if !options.friction && !rough.is_empty() {
             left_out.push(format!("dry friction in {} (--friction)", list(rough)));
         }
-        if options.mimic == Following::Ignore && self.robot.joints.iter().any(|joint| joint.mimic.is_some()) {
+        if options.mimic == Following::Ignore
+            && self.robot.joints.iter().any(|joint| !joint.mimics.is_empty())
+        {
             left_out
                 .push("<mimic>: joints that follow others move by themselves (--mimic eliminate)".to_owned());
         }

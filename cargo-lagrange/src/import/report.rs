@@ -53,7 +53,10 @@ impl Sink {
     pub fn problem(&mut self, at: &Mark, text: impl Into<String>) {
         let TextPos { row, col } = at.position;
         let problem = Problem { line: row, column: col, element: at.element.clone(), text: text.into() };
-        self.problems.push(problem);
+        // A mistake in defaults is found in all that takes them; once is enough.
+        if !self.problems.contains(&problem) {
+            self.problems.push(problem);
+        }
     }
 
     /// Something that may be a mistake.

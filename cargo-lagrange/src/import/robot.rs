@@ -56,10 +56,10 @@ pub struct Joint {
     pub back: Vector,
     /// The kind of its motion.
     pub kind: Kind,
-    /// The forces and inertias in it.
+    /// The forces and inertias in it; none in fixed joints.
     pub action: Action,
-    /// The joint that it follows.
-    pub mimic: Option<Mimic>,
+    /// What its coordinate is tied to.
+    pub mimics: Vec<Mimic>,
     /// The factors of the inputs that drive it, with the names of the actuators; empty for passive joints.
     pub drives: Vec<Drive>,
 }
@@ -101,10 +101,12 @@ pub struct Action {
 }
 
 /// q = multiplier · q of another joint + offset.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Mimic {
-    /// The other joint.
-    pub of: usize,
+    /// The element that says so.
+    pub mark: Mark,
+    /// The other joint; none where q is tied to a value.
+    pub of: Option<usize>,
     /// The factor.
     pub multiplier: f64,
     /// The value where the other one is zero.
@@ -120,6 +122,13 @@ pub struct Drive {
     pub gear: f64,
     /// Its place among the actuators of the file.
     pub order: usize,
+}
+
+impl Mimic {
+    /// A tie to another joint. A factor of zero ties to a value.
+    pub fn new(mark: Mark, of: Option<usize>, multiplier: f64, offset: f64) -> Self {
+        Mimic { mark, of: of.filter(|_| multiplier != 0.0), multiplier, offset }
+    }
 }
 
 impl Kind {

@@ -92,11 +92,11 @@ pub fn add_floating_base(robot: &mut Robot, tree: &Tree) {
         back: [0.0; 3],
         kind: Kind::Free,
         action: Action::default(),
-        mimic: None,
+        mimics: Vec::new(),
         drives: Vec::new(),
     };
     robot.joints.insert(0, joint);
-    for mimic in robot.joints.iter_mut().filter_map(|joint| joint.mimic.as_mut()) {
-        mimic.of += 1;
+    for mimic in robot.joints.iter_mut().flat_map(|joint| &mut joint.mimics) {
+        mimic.of = mimic.of.map(|of| of + 1);
     }
 }

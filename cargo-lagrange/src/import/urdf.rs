@@ -7,6 +7,7 @@ use roxmltree::Node;
 use super::geometry::{Pose, Rotation, Vector, direction};
 use super::inertia::Inertial;
 use super::links;
+use super::report::Mark;
 use super::robot::{Action, Doubtful, Drive, Joint, Kind, Link, Mimic, Robot};
 use super::xml::{Reader, child, children};
 use super::{Inputs, Options};
@@ -114,12 +115,13 @@ impl Urdf<'_, '_> {
                 back,
                 kind: kind.unwrap_or(Kind::Fixed),
                 action,
-                mimic: None,
+                mimics: Vec::new(),
                 drives,
             });
         }
         for (joint, node) in mimics {
-            joints[joint].mimic = self.mimic(node, &names, &joints);
+            let mark = joints[joint].mark.clone();
+            joints[joint].mimics = self.mimic(node, mark, &names, &joints).into_iter().collect();
         }
         self.transmissions(root, &names, &mut joints);
         joints
@@ -189,6 +191,11 @@ impl Urdf<'_, '_> {
                 self.reader.sink.note(text);
                 action = Action::default();
             }
+            // Programs that write URDF give all joints the same elements; a joint that stands still has no
+            // forces.
+            if kind == Some(Kind::Fixed) {
+                action = Action::default();
+            }
         }
         let bounded = matches!(node.attribute("type"), Some("revolute" | "prismatic")) && kind.is_some();
         let Some(limit) = child(node, "limit") else { return action };
@@ -210,6 +217,7 @@ impl Urdf<'_, '_> {
     fn mimic(
         &mut self,
         node: Node<'_, '_>,
+        mark: Mark,
         names: &BTreeMap<String, usize>,
         joints: &[Joint],
     ) -> Option<Mimic> {
@@ -227,7 +235,7 @@ impl Urdf<'_, '_> {
             self.reader.problem_of(node, "joint", text);
             return None;
         }
-        Some(Mimic { of, multiplier, offset })
+        Some(Mimic::new(mark, Some(of), multiplier, offset))
     }
 
     /// Where a file has transmissions, other joints are passive.

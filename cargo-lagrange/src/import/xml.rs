@@ -35,8 +35,9 @@ impl<'a> Reader<'a> {
     /// An element for messages: its start tag, and the nearest one with a name around it.
     pub fn mark(&self, node: Node<'_, '_>) -> Mark {
         let tag = |node: Node<'_, '_>| {
-            let name =
-                ["name", "joint", "class"].into_iter().find_map(|key| Some((key, node.attribute(key)?)));
+            let name = ["name", "joint", "joint1", "class"]
+                .into_iter()
+                .find_map(|key| Some((key, node.attribute(key)?)));
             let name = name.map(|(key, value)| format!(" {key}=\"{value}\"")).unwrap_or_default();
             format!("<{}{name}>", node.tag_name().name())
         };

@@ -37,6 +37,9 @@ mod hostile {
 mod hostile_rough {
     include!("../snapshots/hostile_rough.rs");
 }
+mod tied_constrained {
+    include!("../snapshots/tied_constrained.rs");
+}
 mod joints {
     include!("../snapshots/joints.rs");
 }
@@ -306,6 +309,31 @@ fn both_kinds_of_followers_move_alike() -> Result<(), Box<dyn std::error::Error>
         // A torque of the follower acts on the leader through the gear.
         let found = tied.accelerations(&state, &[0.4, -0.2, 0.2])?;
         close(&found, &with(&expected, -0.5 * expected[leader]), 1e-12);
+    }
+    Ok(())
+}
+
+/// Three pendulums that two ties make one, and a slide that does not move.
+#[test]
+fn a_joint_tied_to_two_others_moves_them() -> Result<(), Box<dyn std::error::Error>> {
+    let system = tied_constrained::Tied::default();
+    let zero = 20_f64.to_radians();
+    // The tie of `one` and `two` is one of their ways from the pose of the file.
+    let pendulums = [(1.0, 0.5, 1.0), (2.0, 0.4, 0.5), (3.0, 0.3, 1.0)];
+    for case in 0..20 {
+        let [one, speed] = spread(case, 1.5);
+        let way = 0.5 * (one - 0.1);
+        let angles = [one, way, one];
+        let state = State::new([one, way + zero, one, 0.05], [speed, 0.5 * speed, speed, 0.0]);
+        assert!(system.constraint_residuals(&state).iter().all(|residual| residual.abs() < 1e-15));
+        let (mut inertia, mut torque) = (0.0, 0.0);
+        for ((mass, length, factor), angle) in pendulums.into_iter().zip(angles) {
+            inertia += factor * factor * mass * (length * length + 0.4 * 0.1_f64.powi(2));
+            torque -= factor * mass * 9.81 * length * angle.sin();
+        }
+        let expected = torque / inertia;
+        let found = system.accelerations(&state)?;
+        close(&found, &[expected, 0.5 * expected, expected, 0.0], 1e-13);
     }
     Ok(())
 }

@@ -117,19 +117,22 @@ impl<'p> Writer<'p> {
 
     fn mimics(&mut self) {
         for (index, joint, _) in self.plan.actions() {
-            let Some(mimic) = joint.mimic else { continue };
-            let (name, other) = (self.joint_name(index), &self.plan.robot.joints[mimic.of].name);
-            let terms = [
-                (1.0, self.joint_value(index, 'q')),
-                (-mimic.multiplier, grouped(self.joint_value(mimic.of, 'q'))),
-                (-mimic.offset, String::new()),
-            ];
-            self.out.line(4, &format!("/// `{}` follows `{other}`.", joint.name));
-            self.out.line(4, "#[holonomic]");
-            self.out.line(4, &format!("pub fn {name}_mimic(&self, q: &Coordinates) -> f64 {{"));
-            self.out.line(8, &sum(&terms));
-            self.out.line(4, "}");
-            self.out.empty();
+            for (count, mimic) in joint.mimics.iter().enumerate() {
+                let mut terms = vec![(1.0, self.joint_value(index, 'q')), (-mimic.offset, String::new())];
+                let mut doc = format!("/// `{}` is tied to a value.", joint.name);
+                if let Some(of) = mimic.of {
+                    terms.insert(1, (-mimic.multiplier, grouped(self.joint_value(of, 'q'))));
+                    doc = format!("/// `{}` follows `{}`.", joint.name, self.plan.robot.joints[of].name);
+                }
+                let name = self.joint_name(index);
+                let number = if count == 0 { String::new() } else { format!("_{}", count + 1) };
+                self.out.line(4, &doc);
+                self.out.line(4, "#[holonomic]");
+                self.out.line(4, &format!("pub fn {name}_mimic{number}(&self, q: &Coordinates) -> f64 {{"));
+                self.out.line(8, &sum(&terms));
+                self.out.line(4, "}");
+                self.out.empty();
+            }
         }
     }
 

@@ -7,7 +7,7 @@ use roxmltree::Node;
 
 use crate::import::Options;
 use crate::import::geometry::{
-    Angle, Matrix, Pose, Rotation, cross, direction, dot, norm, scaled, sub, transposed,
+    Angle, Matrix, Pose, Rotation, Vector, cross, direction, dot, norm, scaled, sub, transposed,
 };
 use crate::import::links;
 use crate::import::schema::mjcf::ACTUATORS;
@@ -22,17 +22,27 @@ pub struct Attributes<'a> {
     classes: BTreeMap<String, (Vec<Element<'a>>, Option<String>)>,
     /// Whether angles are in degrees.
     pub degrees: bool,
+    /// Whether a joint with a range has stops if it does not say so.
+    pub autolimits: bool,
     /// The axes of Euler angles; capital letters are fixed axes.
-    euler: String,
+    sequence: String,
 }
 
-/// The class of what has none.
+/// The class of what has none, which is the outermost one.
 const MAIN: &str = "main";
+
+/// The attributes that orient an element, of which it has one.
+pub const ORIENTATIONS: [&str; 5] = ["quat", "axisangle", "euler", "xyaxes", "zaxis"];
 
 impl<'a> Attributes<'a> {
     /// Reads `<compiler>` and `<default>`.
     pub fn read(reader: &mut Reader<'a>, root: Element<'a>) -> Self {
-        let mut attributes = Attributes { classes: BTreeMap::new(), degrees: true, euler: "xyz".to_owned() };
+        let mut attributes = Attributes {
+            classes: BTreeMap::new(),
+            degrees: true,
+            autolimits: true,
+            sequence: "xyz".to_owned(),
+        };
         for compiler in children(root, "compiler") {
             match compiler.attribute("angle") {
                 None => {}
@@ -40,9 +50,12 @@ impl<'a> Attributes<'a> {
                 Some("radian") => attributes.degrees = false,
                 Some(_) => reader.problem_of(compiler, "angle", "write angle=\"degree\" or angle=\"radian\""),
             }
+            if let Some(automatic) = compiler.attribute("autolimits") {
+                attributes.autolimits = automatic != "false";
+            }
             if let Some(order) = compiler.attribute("eulerseq") {
                 match order.len() == 3 && order.chars().all(|axis| "xyzXYZ".contains(axis)) {
-                    true => attributes.euler = order.to_owned(),
+                    true => attributes.sequence = order.to_owned(),
                     false => {
                         reader.problem_of(compiler, "eulerseq", "write three of the axes x, y, z, X, Y, Z")
                     }
@@ -56,21 +69,30 @@ impl<'a> Attributes<'a> {
     }
 
     fn class(&mut self, reader: &mut Reader<'a>, node: Element<'a>, around: Option<String>) {
-        let name = match (node.attribute("class"), &around) {
+        let name = match (node.attribute("class").filter(|name| !name.is_empty()), &around) {
             (Some(name), _) => name.to_owned(),
             (None, None) => MAIN.to_owned(),
             (None, Some(_)) => {
                 return reader.problem(node, "a class inside another one needs a name; write class=\"…\"");
             }
         };
-        // Whatever its name is, the outermost class serves elements without one. It may stand in the file in
-        // several parts.
         if around.is_none() && name != MAIN {
-            self.classes.entry(MAIN.to_owned()).or_default().0.push(node);
+            let text =
+                "the outermost class is `main`; leave out its name, or write <default> around this class";
+            reader.problem_of(node, "class", text);
         }
-        let (parts, outer) = self.classes.entry(name.clone()).or_default();
-        parts.push(node);
-        *outer = around;
+        // The outermost class may stand in the file in several parts, all others are there once: a class that
+        // stood in itself would take its defaults from itself.
+        match self.classes.get_mut(&name) {
+            Some((parts, None)) if around.is_none() => parts.push(node),
+            Some(_) => {
+                let text = "another default class has this name; rename one, and the elements that mean it";
+                reader.problem_of(node, "class", text);
+            }
+            None => {
+                self.classes.insert(name.clone(), (vec![node], around));
+            }
+        }
         for inner in children(node, "default") {
             self.class(reader, inner, Some(name.clone()));
         }
@@ -78,13 +100,12 @@ impl<'a> Attributes<'a> {
 
     /// The element that has an attribute: the element itself, or that of the defaults of its class.
     pub fn find(&self, reader: &mut Reader<'a>, node: Element<'a>, attribute: &str) -> Option<Element<'a>> {
-        self.layers(reader, node, attribute).into_iter().next()
+        self.layers(reader, node).into_iter().find(|layer| layer.has_attribute(attribute))
     }
 
-    /// All elements that have an attribute, each before those that it overrides.
-    fn layers(&self, reader: &mut Reader<'a>, node: Element<'a>, attribute: &str) -> Vec<Element<'a>> {
-        let mut found: Vec<Element<'a>> =
-            Some(node).filter(|node| node.has_attribute(attribute)).into_iter().collect();
+    /// An element and those of its defaults, each before those that it overrides.
+    fn layers(&self, reader: &mut Reader<'a>, node: Element<'a>) -> Vec<Element<'a>> {
+        let mut found: Vec<Element<'a>> = vec![node];
         let around = || node.ancestors().skip(1).find_map(|body| body.attribute("childclass"));
         let own = node.attribute("class");
         let mut class = Some(own.or_else(around).unwrap_or(MAIN).to_owned());
@@ -100,8 +121,7 @@ impl<'a> Attributes<'a> {
         while let Some((parts, around)) = class.and_then(|name| self.classes.get(&name)) {
             // A later element of the defaults overrides an earlier one.
             let all = parts.iter().rev().flat_map(|part| part.children().rev());
-            let same = all.filter(|defaults| shares_defaults(*defaults, node));
-            found.extend(same.filter(|defaults| defaults.has_attribute(attribute)));
+            found.extend(all.filter(|defaults| shares_defaults(*defaults, node)));
             class = around.clone();
         }
         found
@@ -110,7 +130,7 @@ impl<'a> Attributes<'a> {
     /// Numbers of which each that is lacking is that of the defaults.
     pub fn list(&self, reader: &mut Reader<'a>, node: Element<'a>, attribute: &str) -> Vec<f64> {
         let mut list = Vec::new();
-        for layer in self.layers(reader, node, attribute) {
+        for layer in self.layers(reader, node) {
             let numbers = reader.numbers(layer, attribute).unwrap_or_default();
             list.extend(numbers.into_iter().skip(list.len()));
         }
@@ -161,94 +181,88 @@ impl<'a> Attributes<'a> {
 
     fn turn(&self, reader: &mut Reader<'a>, node: Element<'a>, options: &Options) -> Option<Rotation> {
         let tolerance = options.tolerance;
-        let written: Vec<&str> = ["quat", "axisangle", "euler", "xyaxes", "zaxis"]
-            .into_iter()
-            .filter(|form| node.has_attribute(*form))
-            .collect();
-        if let [first, second, ..] = written[..] {
-            reader.problem_of(
-                node,
-                second,
-                format!("it has an orientation by `{first}` already; remove one of them"),
-            );
+        // An orientation in any form overrides those of outer classes in all forms.
+        let is_oriented = |layer: &Element<'a>| ORIENTATIONS.iter().any(|form| layer.has_attribute(*form));
+        let node = self.layers(reader, node).into_iter().find(is_oriented)?;
+        let mut forms = ORIENTATIONS.into_iter().filter(|form| node.has_attribute(*form));
+        let form = forms.next()?;
+        if let Some(second) = forms.next() {
+            let text = format!("it has an orientation by `{form}` already; remove one of them");
+            reader.problem_of(node, second, text);
         }
-        let not_zero = |reader: &mut Reader<'a>, attribute: &str| {
-            reader.problem_of(
-                node,
-                attribute,
-                format!("a direction in `{attribute}` is zero; write one that is not"),
-            );
+        let not_zero = |reader: &mut Reader<'a>, direction: Option<Vector>| {
+            if direction.is_none() {
+                let text = format!("a direction in `{form}` is zero; write one that is not");
+                reader.problem_of(node, form, text);
+            }
+            direction
         };
-        if let Some([w, x, y, z]) = self.vector(reader, node, "quat") {
-            let size = w * w + x * x + y * y + z * z;
-            if size == 0.0 {
-                reader.problem_of(node, "quat", "the quaternion is zero; write quat=\"1 0 0 0\" for no turn");
-                return None;
+        match form {
+            "quat" => {
+                let [w, x, y, z] = reader.vector(node, form)?;
+                let size = w * w + x * x + y * y + z * z;
+                if size == 0.0 {
+                    let text = "the quaternion is zero; write quat=\"1 0 0 0\" for no turn";
+                    reader.problem_of(node, form, text);
+                    return None;
+                }
+                let s = 2.0 / size;
+                let matrix = [
+                    [1.0 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)],
+                    [s * (x * y + w * z), 1.0 - s * (x * x + z * z), s * (y * z - w * x)],
+                    [s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y)],
+                ];
+                Some(Rotation::of_matrix(matrix, tolerance))
             }
-            let s = 2.0 / size;
-            let matrix = [
-                [1.0 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)],
-                [s * (x * y + w * z), 1.0 - s * (x * x + z * z), s * (y * z - w * x)],
-                [s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y)],
-            ];
-            return Some(Rotation::of_matrix(matrix, tolerance));
-        }
-        if let Some([x, y, z, angle]) = self.vector(reader, node, "axisangle") {
-            let Some(axis) = direction([x, y, z], tolerance) else {
-                not_zero(reader, "axisangle");
-                return None;
-            };
-            return Some(about(axis, self.angle(reader, node, angle, options)));
-        }
-        if let Some(angles) = self.vector::<3>(reader, node, "euler") {
-            let [a, b, c] = angles;
-            let as_in_urdf = match &*self.euler {
-                "XYZ" => Some([a, b, c]),
-                "zyx" => Some([c, b, a]),
-                _ => None,
-            };
-            if let Some(angles) = as_in_urdf {
-                return Some(Rotation::of_angles(
-                    angles.map(|angle| self.angle(reader, node, angle, options)),
-                ));
+            "axisangle" => {
+                let [x, y, z, angle] = reader.vector(node, form)?;
+                let axis = not_zero(reader, direction([x, y, z], tolerance))?;
+                Some(Rotation::about(axis, self.angle(reader, node, angle, options)))
             }
-            let mut whole = Rotation::IDENTITY;
-            for (letter, written) in self.euler.chars().zip(angles) {
-                let mut axis = [0.0; 3];
-                axis["xyz".find(letter.to_ascii_lowercase()).unwrap_or(0)] = 1.0;
-                let turn = about(axis, self.angle(reader, node, written, options));
-                whole = if letter.is_ascii_lowercase() { whole.after(&turn) } else { turn.after(&whole) };
+            "euler" => {
+                let angles = reader.vector(node, form)?;
+                Some(self.euler(reader, node, angles, options))
             }
-            return Some(whole);
+            "xyaxes" => {
+                let [a, b, c, d, e, f] = reader.vector(node, form)?;
+                let x = not_zero(reader, direction([a, b, c], tolerance))?;
+                let y = direction(sub([d, e, f], scaled(dot(x, [d, e, f]), x)), tolerance);
+                let y = not_zero(reader, y)?;
+                Some(Rotation::of_matrix(transposed(&[x, y, cross(x, y)]), tolerance))
+            }
+            _ => {
+                let z = reader.vector(node, form)?;
+                let z = not_zero(reader, direction(z, tolerance))?;
+                Some(Rotation::of_matrix(lifted(z), tolerance))
+            }
         }
-        if let Some([a, b, c, d, e, f]) = self.vector(reader, node, "xyaxes") {
-            let x = direction([a, b, c], tolerance);
-            let y = x.and_then(|x| direction(sub([d, e, f], scaled(dot(x, [d, e, f]), x)), tolerance));
-            let (Some(x), Some(y)) = (x, y) else {
-                not_zero(reader, "xyaxes");
-                return None;
-            };
-            return Some(Rotation::of_matrix(transposed(&[x, y, cross(x, y)]), tolerance));
-        }
-        if let Some(z) = self.vector(reader, node, "zaxis") {
-            let Some(z) = direction(z, tolerance) else {
-                not_zero(reader, "zaxis");
-                return None;
-            };
-            return Some(Rotation::of_matrix(lifted(z), tolerance));
-        }
-        None
     }
-}
 
-/// About an axis; right angles about coordinate axes stay exact.
-fn about(axis: [f64; 3], angle: Angle) -> Rotation {
-    let negative = axis.iter().any(|entry| *entry == -1.0);
-    match (negative, angle) {
-        (true, Angle::Quarters(2)) => Rotation::about(axis.map(f64::abs), angle),
-        (true, Angle::Quarters(quarters)) => Rotation::about(axis.map(f64::abs), Angle::Quarters(-quarters)),
-        (true, Angle::Radians(radians)) => Rotation::about(axis.map(f64::abs), Angle::Radians(-radians)),
-        (false, _) => Rotation::about(axis, angle),
+    /// The rotation by angles about the axes that `eulerseq` names.
+    fn euler(
+        &self,
+        reader: &mut Reader<'a>,
+        node: Element<'a>,
+        angles: [f64; 3],
+        options: &Options,
+    ) -> Rotation {
+        let [a, b, c] = angles;
+        let as_in_urdf = match &*self.sequence {
+            "XYZ" => Some([a, b, c]),
+            "zyx" => Some([c, b, a]),
+            _ => None,
+        };
+        if let Some(angles) = as_in_urdf {
+            return Rotation::of_angles(angles.map(|angle| self.angle(reader, node, angle, options)));
+        }
+        let mut whole = Rotation::IDENTITY;
+        for (letter, written) in self.sequence.chars().zip(angles) {
+            let mut axis = [0.0; 3];
+            axis["xyz".find(letter.to_ascii_lowercase()).unwrap_or(0)] = 1.0;
+            let turn = Rotation::about(axis, self.angle(reader, node, written, options));
+            whole = if letter.is_ascii_lowercase() { whole.after(&turn) } else { turn.after(&whole) };
+        }
+        whole
     }
 }
 

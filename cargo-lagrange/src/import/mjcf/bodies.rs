@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use roxmltree::Node;
 
-use super::attributes::{Attributes, Element};
+use super::attributes::{Attributes, Element, ORIENTATIONS};
 use super::geom;
 use crate::import::Options;
 use crate::import::geometry::{Pose, direction, scaled};
@@ -71,10 +71,7 @@ impl<'r, 'a> Bodies<'r, 'a> {
             self.reader.problem(node, "another body has this name; rename one of them");
         }
         let pose = self.attributes.pose(self.reader, node, self.options);
-        let joints: Vec<Element<'a>> = node
-            .children()
-            .filter(|node| node.has_tag_name("joint") || node.has_tag_name("freejoint"))
-            .collect();
+        let joints: Vec<Element<'a>> = node.children().filter(|node| is_joint(*node)).collect();
         let (inertials, doubtful) = self.inertials(node);
         if joints.is_empty() {
             let link = self.link(&name, &mark, inertials);
@@ -85,6 +82,7 @@ impl<'r, 'a> Bodies<'r, 'a> {
         }
         let (mut above, mut pose) = (parent, pose);
         let mut inertials = Some(inertials);
+        let before = self.robot.joints.len();
         for (index, &joint) in joints.iter().enumerate() {
             let is_last = index + 1 == joints.len();
             let part = if is_last { name.clone() } else { format!("{name}_part_{}", index + 1) };
@@ -93,7 +91,23 @@ impl<'r, 'a> Bodies<'r, 'a> {
             (above, pose) = (link, Pose::IDENTITY);
         }
         self.robot.links[above].doubtful = doubtful;
+        self.freedom(node, before);
         above
+    }
+
+    /// Reports a body that its own joints move in more ways than there are: their mass matrix is singular.
+    fn freedom(&mut self, body: Element<'a>, before: usize) {
+        let kinds = self.robot.joints[before..].iter().rev().map(|joint| joint.kind);
+        let freedom: usize = kinds.clone().map(Kind::freedom).sum();
+        // From the last joint on.
+        let turned = kinds.skip_while(|kind| !matches!(kind, Kind::Ball | Kind::Turns(_))).skip(1);
+        if freedom > 6 {
+            let text = format!("its joints have {freedom} degrees of freedom, and a body 6; remove some");
+            self.reader.problem(body, text);
+        } else if turned.into_iter().any(|kind| kind == Kind::Ball) {
+            let text = "a ball joint turns it in all directions; remove what turns it after that";
+            self.reader.problem(body, text);
+        }
     }
 
     fn link(&mut self, name: &str, mark: &Mark, inertials: Vec<Inertial>) -> usize {
@@ -180,13 +194,7 @@ impl<'r, 'a> Bodies<'r, 'a> {
                 let found = attributes.find(self.reader, node, name);
                 found.map_or(0.0, |found| self.reader.size(found, name))
             });
-        let range: Option<[f64; 2]> = attributes.vector(self.reader, node, "range");
-        let limited = attributes.text(self.reader, node, "limited").unwrap_or("auto");
-        let range = range.filter(|_| limited != "false");
-        if let Some([lower, upper]) = range.filter(|[lower, upper]| lower > upper) {
-            self.reader.problem_of(node, "range", format!("{lower} is above {upper}; exchange the two"));
-        }
-        let limits = range.filter(|[lower, upper]| lower < upper);
+        let limits = self.range(node, kind);
         let limits =
             limits.map(|limits| if turns { limits.map(|limit| attributes.radians(limit)) } else { limits });
         if kind.freedom() > 1 {
@@ -205,6 +213,28 @@ impl<'r, 'a> Bodies<'r, 'a> {
         Action { damping, friction, armature, stiffness, relaxed, reference, limits }
     }
 
+    /// The stops of a joint as the file writes them.
+    fn range(&mut self, node: Element<'a>, kind: Kind) -> Option<[f64; 2]> {
+        let range: Option<[f64; 2]> = self.attributes.vector(self.reader, node, "range");
+        let limited = self.attributes.text(self.reader, node, "limited").unwrap_or("auto");
+        let range = range.filter(|_| limited != "false");
+        if let Some([lower, upper]) = range.filter(|[lower, upper]| lower > upper) {
+            self.reader.problem_of(node, "range", format!("{lower} is above {upper}; exchange the two"));
+            return None;
+        }
+        let limits = range.filter(|[lower, upper]| lower < upper);
+        if limited == "true" && limits.is_none() && kind.freedom() == 1 {
+            let text = "limited=\"true\" asks for stops, and `range` gives none; write range=\"LOWER UPPER\"";
+            self.reader.problem_of(node, "limited", text);
+        }
+        if limited == "auto" && limits.is_some() && !self.attributes.autolimits && kind != Kind::Free {
+            let text =
+                "`range` makes no stops under autolimits=\"false\"; write limited=\"true\", or remove it";
+            self.reader.problem_of(node, "range", text);
+        }
+        limits
+    }
+
     /// The masses of a body: as given, or those of its geoms.
     fn inertials(&mut self, body: Element<'a>) -> (Vec<Inertial>, Option<Doubtful>) {
         let compiler = body.document().root_element().children().filter(|node| node.has_tag_name("compiler"));
@@ -217,9 +247,10 @@ impl<'r, 'a> Bodies<'r, 'a> {
             _ => given.is_none(),
         };
         let (reader, attributes, options) = (&mut *self.reader, self.attributes, self.options);
+        let counts = moves(body) || totals(body);
         let geoms = children(body, "geom").filter(|_| reads_geoms);
         let of_geoms: Vec<Inertial> =
-            geoms.filter_map(|node| geom::inertial(reader, attributes, node, options)).collect();
+            geoms.filter_map(|node| geom::inertial(reader, attributes, node, counts, options)).collect();
         // Where no geom has a mass, what is given counts in any case.
         match given.filter(|_| of_geoms.iter().all(|geom| geom.mass == 0.0)).and_then(|node| self.given(node))
         {
@@ -233,6 +264,14 @@ impl<'r, 'a> Bodies<'r, 'a> {
         let mass = self.reader.required(node, "mass")?;
         let full: Option<[f64; 6]> = self.reader.vector(node, "fullinertia");
         let diagonal: Option<[f64; 3]> = self.reader.vector(node, "diaginertia");
+        if full.is_some() {
+            let others = ORIENTATIONS.into_iter().chain(["diaginertia"]);
+            for other in others.filter(|other| node.has_attribute(*other)) {
+                let text =
+                    format!("`fullinertia`, in the axes of the body, excludes `{other}`; remove one of them");
+                self.reader.problem_of(node, other, text);
+            }
+        }
         let tensor = match (full, diagonal) {
             (Some([xx, yy, zz, xy, xz, yz]), _) => [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]],
             (None, Some([xx, yy, zz])) => [[xx, 0.0, 0.0], [0.0, yy, 0.0], [0.0, 0.0, zz]],
@@ -258,7 +297,23 @@ fn joint(
     action: Action,
 ) -> Joint {
     let [parent, child] = ends;
-    Joint { name, mark, parent, child, pose, back, kind, action, mimic: None, drives: Vec::new() }
+    Joint { name, mark, parent, child, pose, back, kind, action, mimics: Vec::new(), drives: Vec::new() }
+}
+
+fn is_joint(node: Node<'_, '_>) -> bool {
+    node.has_tag_name("joint") || node.has_tag_name("freejoint")
+}
+
+/// Whether a joint moves a body, be it that of a body around it.
+fn moves(body: Node<'_, '_>) -> bool {
+    body.ancestors().any(|around| around.children().any(is_joint))
+}
+
+/// Whether the file gives the sum of all masses, those of bodies that stand still among them.
+fn totals(body: Node<'_, '_>) -> bool {
+    let all = children(body.document().root_element(), "compiler");
+    all.filter_map(|node| node.attribute("settotalmass"))
+        .any(|sum| sum.trim().parse::<f64>().is_ok_and(|sum| sum > 0.0))
 }
 
 pub fn is_free(node: Node<'_, '_>) -> bool {

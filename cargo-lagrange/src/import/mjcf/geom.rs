@@ -11,23 +11,29 @@ use crate::import::xml::Reader;
 /// The density of a geom that gives none [kg/m³].
 const WATER: f64 = 1000.0;
 
-/// The mass of a geom in the frame of its body. `None` for planes, height fields and geoms without mass, and
-/// where the file is wrong, which is reported.
+/// The types whose volumes are known.
+const SHAPES: [&str; 5] = ["sphere", "capsule", "cylinder", "box", "ellipsoid"];
+
+/// The mass of a geom in the frame of its body. `None` for planes and geoms without mass, and where the file
+/// is wrong, which is reported. A mass that does not count need not be known.
 pub fn inertial<'a>(
     reader: &mut Reader<'a>,
     attributes: &Attributes<'a>,
     node: Element<'a>,
+    counts: bool,
     options: &Options,
 ) -> Option<Inertial> {
+    let has_mesh = attributes.find(reader, node, "mesh").is_some();
     let kind = match attributes.text(reader, node, "type") {
         Some(kind) => kind,
-        None if attributes.find(reader, node, "mesh").is_some() => "mesh",
+        None if has_mesh => "mesh",
         None => "sphere",
     };
     let mass = attributes.number(reader, node, "mass");
     let density = attributes.number(reader, node, "density").unwrap_or(WATER);
     let is_massless = mass.map_or(density == 0.0, |mass| mass == 0.0);
-    if is_massless || matches!(kind, "plane" | "hfield") {
+    // Planes are endless.
+    if is_massless || kind == "plane" {
         return None;
     }
     if mass.unwrap_or(density) < 0.0 {
@@ -39,15 +45,21 @@ pub fn inertial<'a>(
         reader.problem(node, "inertias of shells are not read; write an <inertial> into the body");
         return None;
     }
-    let (frame, size) = placed(reader, attributes, node, kind, options)?;
-    let Some((volume, moments)) = solid(kind, size) else {
+    // MuJoCo fits a primitive shape to the mesh that it names, whatever its own size is.
+    let is_fitted = has_mesh && SHAPES.contains(&kind);
+    if is_fitted || !SHAPES.contains(&kind) {
+        let what = if is_fitted { "fitted to a mesh".to_owned() } else { format!("of type `{kind}`") };
         let text = format!(
-            "the mass of a geom of type `{kind}` is not known; write an <inertial> into the body, or mass=\"0\" if it is \
-             there to be seen only"
+            "the mass of a geom {what} is not known; write an <inertial> into the body, or mass=\"0\" if it is there to \
+             be seen only"
         );
-        reader.problem(node, text);
+        if counts {
+            reader.problem(node, text);
+        }
         return None;
-    };
+    }
+    let (frame, size) = placed(reader, attributes, node, kind, options)?;
+    let (volume, moments) = solid(kind, size)?;
     let mass = mass.unwrap_or(density * volume);
     let [x, y, z] = moments.map(|moment| mass * moment);
     Some(Inertial::in_frame(&frame, mass, &[[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]]))
@@ -66,10 +78,18 @@ fn placed<'a>(
     let (needed, last) = match kind {
         "sphere" => (1, None),
         "capsule" | "cylinder" => (2, Some(1)),
-        "box" | "ellipsoid" => (3, Some(2)),
-        // Other geoms have no sizes that matter.
-        _ => return Some((Pose::IDENTITY, [0.0; 3])),
+        // A box or an ellipsoid.
+        _ => (3, Some(2)),
     };
+    if ends.is_some() && attributes.find(reader, node, "pos").is_some() {
+        let text = "both `fromto` and `pos` place it, of its own or of its default class; remove one of them";
+        reader.problem(node, text);
+    }
+    if ends.is_some() && last.is_none() {
+        let text =
+            format!("a {kind} has no `fromto`; write `pos`, or type=\"capsule\", cylinder, box, ellipsoid");
+        reader.problem(node, text);
+    }
     let frame = match (ends, last) {
         (Some([a, b, c, d, e, f]), Some(last)) => {
             let along = sub([a, b, c], [d, e, f]);

@@ -95,11 +95,12 @@ impl<'a> Mjcf<'_, 'a> {
                     self.reader.warning(node, text);
                 }
             }
-            let drive = Drive {
-                name: node.attribute("name").map(str::to_owned),
-                gear: gear.unwrap_or(1.0),
-                order: count,
-            };
+            let gear = gear.unwrap_or(1.0);
+            if gear == 0.0 {
+                self.reader.warning(node, "its `gear` is zero: it drives nothing, and is left out");
+                continue;
+            }
+            let drive = Drive { name: node.attribute("name").map(str::to_owned), gear, order: count };
             self.robot.joints[joint].drives.push(drive);
         }
         let is_all = options.inputs == super::Inputs::All || count == 0;
@@ -118,7 +119,9 @@ impl<'a> Mjcf<'_, 'a> {
             let factor = |index: usize| written.get(index).copied();
             // What a short list lacks has its default.
             let [constant, multiplier] = [factor(0).unwrap_or(0.0), factor(1).unwrap_or(1.0)];
-            let is_linear = written.iter().skip(2).all(|factor| *factor == 0.0);
+            let to = node.attribute("joint2");
+            // Without another joint the constant alone counts.
+            let is_linear = to.is_none() || written.iter().skip(2).all(|factor| *factor == 0.0);
             if kind != "joint" || !is_linear {
                 let what =
                     if kind == "joint" { "a polynomial in <joint>".to_owned() } else { format!("<{kind}>") };
@@ -131,15 +134,12 @@ impl<'a> Mjcf<'_, 'a> {
             else {
                 continue;
             };
-            let Some(second) = node.attribute("joint2").and_then(|name| self.joint(node, "joint2", name))
-            else {
-                self.reader
-                    .warning(node, "a joint that is tied to a value is left out; fix the body instead");
-                continue;
-            };
+            let second = to.and_then(|name| self.joint(node, "joint2", name));
             let reference = |joint: usize| self.robot.joints[joint].action.reference;
-            let offset = constant + reference(first) - multiplier * reference(second);
-            self.robot.joints[first].mimic = Some(Mimic { of: second, multiplier, offset });
+            let shift = second.map_or(0.0, |second| multiplier * reference(second));
+            let offset = constant + reference(first) - shift;
+            let mimic = Mimic::new(self.reader.mark(node), second, multiplier, offset);
+            self.robot.joints[first].mimics.push(mimic);
         }
     }
 
@@ -204,6 +204,10 @@ fn refused(reader: &mut Reader<'_>, root: Node<'_, '_>) {
         }
         if tag == "body" && reader.number(node, "gravcomp").is_some_and(|share| share != 0.0) {
             reader.warning(node, "`gravcomp` is left out: the body has its weight");
+        }
+        let is_in_body = node.parent().is_some_and(|body| body.has_tag_name("body"));
+        if tag == "plugin" && is_in_body {
+            reader.warning(node, "a plugin is left out; write its forces as a #[force] function");
         }
         if tag == "compiler" {
             let groups =

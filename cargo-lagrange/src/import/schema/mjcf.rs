@@ -130,8 +130,8 @@ static FLAG: Element = Element::leaf(
 static DEFAULT: Element = Element {
     tags: &["default"],
     attributes: &["class"],
-    once: &[],
-    many: &[&DEFAULT, &JOINT, &GEOM, &DRIVE],
+    once: &[&JOINT, &GEOM, &DRIVE],
+    many: &[&DEFAULT],
     passed: &[
         "mesh", "material", "site", "camera", "light", "pair", "equality", "tendon", "plugin", "flex",
         "include",
