@@ -164,7 +164,8 @@ where
 
     /// An iterator over the zeros of several guards up to time `until` \[s], in the order of time.
     ///
-    /// Simultaneous zeros come one after the other, in the order of the guards.
+    /// Simultaneous zeros come one after the other, in the order of the guards. Where the motion jumps, as in
+    /// an impact, those of the motion before the jump come first.
     #[inline]
     pub fn events_of<G, const E: usize>(
         &mut self,

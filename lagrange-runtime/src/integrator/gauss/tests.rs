@@ -167,6 +167,22 @@ fn a_linear_oscillator_turns_by_the_diagonal_pade_approximant() {
 }
 
 #[test]
+fn a_start_that_is_not_finite_says_so() {
+    fn cause<const STAGES: usize>(start: State<f64, 2>) -> Cause
+    where
+        Gauss<STAGES>: FixedStep<Kepler, 2, 0>,
+    {
+        Kepler.stepper::<Gauss<STAGES>>(start).step(0.1, &[]).unwrap_err().cause
+    }
+    // The acceleration at the start is finite.
+    for speed in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+        let start = State::new([1.0, 0.0], [0.0, speed]);
+        let causes = [cause::<2>(start), cause::<3>(start), cause::<4>(start)];
+        assert_eq!(causes, [Cause::NotFinite; 3], "{speed}");
+    }
+}
+
+#[test]
 fn a_smooth_motion_takes_few_corrections() {
     let system = Linear::new(1.0, 0.1);
     let mut motion = system.stepper::<Gauss6>(State::new([1.0], [0.0]));

@@ -32,6 +32,12 @@ impl<R: Ordered> Interval<R> {
         if beyond || theta >= R::one() { self.to } else { t }
     }
 
+    /// Whether the search meets the time at one part before that at another.
+    pub fn is_before(&self, theta: R, other: R) -> bool {
+        let (t, other) = (self.time(theta), self.time(other));
+        if self.is_backward() { t > other } else { t < other }
+    }
+
     /// Whether time runs backward.
     pub fn is_backward(&self) -> bool {
         self.to < self.from

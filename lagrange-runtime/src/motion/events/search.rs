@@ -96,10 +96,6 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
                 }
                 found = self.pending(motion, guards);
             }
-            let found = match found {
-                None if self.front.t == self.until => self.last(),
-                found => found,
-            };
             match found {
                 Some((index, Pending { theta, crossing, blur }))
                     if only.is_none_or(|only| only == crossing) =>
@@ -129,7 +125,8 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         }
     }
 
-    /// The earliest zero on the interval that has not been reported.
+    /// The earliest zero on the interval that has not been reported; of simultaneous ones that of the first
+    /// guard. Where the search ends, a zero that a guard has just reached is one of them.
     fn pending<S, C, M, G, const K: usize>(
         &mut self,
         motion: &mut Simulation<'_, S, C, M, N, K>,
@@ -141,23 +138,18 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         M: Adaptive<S, C, N, K>,
         G: Guard<S, R, N>,
     {
-        let all = self.tracks.iter().map(|track| track.pending).enumerate();
-        let mut found = all.filter_map(|(index, pending)| Some((index, pending?)));
+        let (interval, ends) = (self.interval, self.front.t == self.until);
+        let all = self.tracks.iter().map(|track| track.next(interval, ends)).enumerate();
+        let mut found = all.filter_map(|(index, next)| Some((index, next?)));
         let first = found.next()?;
+        // Several parts of an interval may round to one time, so the times are compared.
+        let is_before = |next: &Pending<R>, first: &Pending<R>| interval.is_before(next.theta, first.theta);
         let (index, pending) =
-            found.fold(first, |first, next| if next.1.theta < first.1.theta { next } else { first });
+            found.fold(first, |first, next| if is_before(&next.1, &first.1) { next } else { first });
         if let (Some(track), Some(guard)) = (self.tracks.get_mut(index), guards.get(index)) {
-            track.pending = None;
-            track.refill(&mut Watched { motion, guard }, self.interval, pending.theta);
+            track.count(&mut Watched { motion, guard }, interval);
         }
         Some((index, pending))
-    }
-
-    /// A guard that has reached zero just where the search ends.
-    fn last(&mut self) -> Option<(usize, Pending<R>)> {
-        let interval = self.interval;
-        let mut all = self.tracks.iter_mut().enumerate();
-        all.find_map(|(index, track)| Some((index, track.take_last(interval)?)))
     }
 
     /// Looks at the next interval.

@@ -221,6 +221,47 @@ fn several_guards_in_the_order_of_time() {
     assert!(first.index == 1 || first.index == 2);
 }
 
+type Function<'a> = dyn Fn(&State<f64, 1>) -> f64 + 'a;
+
+/// Zeros at exactly the same time, at different parts of an interval as rounding errors will have it.
+#[test]
+fn simultaneous_zeros_come_in_the_order_of_the_guards() {
+    let ball = Ball(2.0);
+    let mut tied = 0;
+    for (k, ends) in (1..60).flat_map(|k| [(k, false), (k, true)]) {
+        let (t, speed) = (f64::from(k) / 64.0, f64::from((k * 37) % 64 - 32) / 16.0);
+        let start = State::new([t * t - speed * t], [speed]);
+        let now = |state: &State<f64, 1>| state.t - t;
+        let guards: [&Function; 4] = [&|state| now(state) + state.q[0], &position, &now, &position];
+        let guards = guards.map(|guard| move |state: &State<f64, 1>| guard(state));
+        let until = if ends { t } else { t + 0.1 };
+        let mut motion = ball.simulate(start);
+        let found: Vec<_> = motion.events_of(guards, until).map(Result::unwrap).collect();
+        for pair in found.windows(2) {
+            let (first, second) = (&pair[0], &pair[1]);
+            let together = first.state.t == second.state.t;
+            assert!(!together || first.index < second.index, "{t}, {speed}: {found:?}");
+            tied += u32::from(together);
+        }
+    }
+    assert!(tied > 100, "{tied}");
+}
+
+/// A guard is zero within rounding errors where the search ends, and does not show where it goes on to.
+#[test]
+fn zeros_at_the_end_of_a_search_come_in_the_order_of_the_guards() {
+    for ulps in 0..=8 {
+        let late = move |state: &State<f64, 1>| state.t - 1.0 - f64::from(ulps) * f64::EPSILON;
+        let now = |state: &State<f64, 1>| state.t - 1.0;
+        let guards: [&Function; 2] = [&late, &now];
+        let guards = guards.map(|guard| move |state: &State<f64, 1>| guard(state));
+        let mut motion = FREE.simulate(State::at_rest([1.0]));
+        let found: Vec<_> = motion.events_of(guards, 1.0).map(Result::unwrap).collect();
+        let of_two = [0, 1].map(|k| found.get(k).map(|event| (event.index, event.state.t)));
+        assert_eq!(of_two, [Some((0, 1.0)), Some((1, 1.0))], "{ulps}: {found:?}");
+    }
+}
+
 #[test]
 fn a_ball_that_bounces_by_hand() {
     let (gravity, restitution) = (9.81_f64, 0.5_f64);

@@ -63,7 +63,7 @@ pub(super) struct Track<R> {
     /// Its zeros on the interval that are yet to come.
     zeros: Option<Zeros<R>>,
     /// The next of them.
-    pub pending: Option<Pending<R>>,
+    pending: Option<Pending<R>>,
 }
 
 impl<R: Ordered> Track<R> {
@@ -91,14 +91,35 @@ impl<R: Ordered> Track<R> {
         }
     }
 
-    /// A zero at the end of the interval that has not been counted, because the guard has not left it. From
-    /// this call on it has been counted.
-    pub fn take_last(&mut self, interval: Interval<R>) -> Option<Pending<R>> {
+    /// The next zero on the interval that has not been counted. If the search `ends` there, that may be
+    /// one at the end of the interval which the guard has not left.
+    pub fn next(&self, interval: Interval<R>, ends: bool) -> Option<Pending<R>> {
+        self.pending.or_else(|| if ends { self.last(interval) } else { None })
+    }
+
+    /// A zero at the end of the interval that has not been counted, because the guard has not left it.
+    fn last(&self, interval: Interval<R>) -> Option<Pending<R>> {
         let Memory::Touching(before) = self.memory else { return None };
-        self.memory = Memory::Zero(None);
         let (beyond, blur) = self.beyond;
         let kind = beyond.filter(|&side| side != before).map_or(Kind::Grazing, leading_to);
         Some(Pending { theta: R::one(), crossing: crossing(kind, interval), blur })
+    }
+
+    /// Counts the next zero.
+    pub fn count<S, C, M, G, const N: usize, const K: usize>(
+        &mut self,
+        watched: &mut Watched<'_, '_, S, C, M, G, N, K>,
+        interval: Interval<R>,
+    ) where
+        S: System<N, K, Scalar = R>,
+        C: Control<R, N, K>,
+        M: Adaptive<S, C, N, K>,
+        G: Guard<S, R, N>,
+    {
+        match self.pending.take() {
+            Some(counted) => self.refill(watched, interval, counted.theta),
+            None => self.memory = Memory::Zero(None),
+        }
     }
 
     /// Interpolates the guard on an interval. `blur` is the uncertainty of the time of its start, if an event

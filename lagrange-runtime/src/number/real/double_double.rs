@@ -21,6 +21,7 @@ mod circular;
 mod decimal;
 mod exponential;
 mod integer;
+mod power;
 
 use arithmetic::{fast_two_sum, two_sum};
 pub use decimal::ParseError;
@@ -249,6 +250,11 @@ impl Real for DoubleDouble {
     #[inline]
     fn min(self, other: Self) -> Self {
         if self <= other || other.high.is_nan() { self } else { other }
+    }
+
+    #[inline]
+    fn powi(self, exponent: i32) -> Self {
+        power::powi(self, exponent)
     }
 
     forward! { arithmetic: sqrt() -> Self; mul_add(factor, summand) -> Self; cbrt() -> Self; hypot(other) -> Self; }

@@ -160,7 +160,8 @@ impl fmt::Display for Cause {
             ),
             Self::StepTooSmall => out.write_str(
                 "the step fell below the resolution of time: the motion is singular here or too stiff, \
-                 the tolerance is too tight for this scalar, or the time is too far from zero",
+                 the tolerance is too tight for this scalar, the time is too far from zero, or the unit \
+                 of time is far too long for this motion",
             ),
             Self::ToleranceTooFine { reachable } => write!(
                 out,
