@@ -273,3 +273,42 @@ fn digits_follow_the_tolerance() {
     assert!((2.5..8.0).contains(&coarse), "{coarse}");
     assert!((11.0..15.7).contains(&fine), "{fine}");
 }
+
+/// A mass on a rough floor that sticks until the load has grown to a newton.
+struct Pulled<R> {
+    rates: [R; 2],
+    limit: R,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl<R: Real + PartialOrd> Pulled<R> {
+    #[point(mass = 1.0)]
+    fn mass(&self, q: &Coordinates<R>) -> Vector2<R> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[force(at = mass)]
+    fn load(&self, t: R) -> Vector2<R> {
+        Vector2::new(self.rates[0] * t, self.rates[1] * t)
+    }
+
+    #[friction(limit = self.limit)]
+    fn slip(&self, v: &Velocities<R>) -> Vector2<R> {
+        Vector2::new(v.x, v.y)
+    }
+}
+
+#[test]
+fn a_slip_in_two_directions_begins_under_a_growing_load() {
+    for rates in [["0.5", "-0.18"], ["1.3", "0.7"], ["-0.6", "2.0"]] {
+        let rates = rates.map(number);
+        let size = rates[0].hypot(rates[1]);
+        let pulled = Pulled { rates, limit: number("1") };
+        let mut motion = pulled.simulate(State::at_rest([number("0"); 2])).with_tolerance(number("1e-9"));
+        let slid = number("3") - size.recip();
+        let state = motion.advance_to(number("3")).unwrap();
+        for (q, rate) in state.q.into_iter().zip(rates) {
+            assert!(error(q, rate * slid.powi(3) / number("6")) < 1e-8);
+        }
+    }
+}

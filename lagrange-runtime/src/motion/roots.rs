@@ -29,7 +29,7 @@ mod pieces;
 mod polynomial;
 mod zeros;
 
-pub(crate) use falling::{Before, Fall, clear, falls, reach, rises, stays_above};
+pub(crate) use falling::{Before, Fall, clear, falls, reach, rises, starts_above, stays_above, touches};
 pub(crate) use polynomial::{Polynomial, Unresolved};
 pub(crate) use zeros::Zeros;
 

@@ -11,13 +11,14 @@
 mod curve;
 mod glance;
 mod shared;
+mod zero;
 
 use super::course::Course;
 use super::guards::{Guard, Guards, Parts, is_clear};
+use super::place::How;
 use super::reactions::Borne;
-use super::scene::above;
 use super::{Along, Functions, Row, Switching};
-use crate::motion::roots::{Before, Fall, Kind, Side, Zero, clear, falls, reach, stays_above};
+use crate::motion::roots::{Before, Fall, clear, falls, reach, starts_above, stays_above, touches};
 use crate::number::elements::Each;
 use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::number::rounded::Rounded;
@@ -44,9 +45,8 @@ const BEYOND: f64 = 64.0;
 pub(super) struct Found<R> {
     /// The first guard that falls through zero, and where; `None` if none does.
     pub(super) first: Option<(Fall<R>, Guard)>,
-    /// Whether this is a friction that shares its load with others, which bear no more, either. Its own guard
-    /// may have fallen before.
-    pub(super) is_shared: bool,
+    /// How it does.
+    pub(super) how: How,
     /// The part of the step on which the guards are known.
     pub(super) until: R,
 }
@@ -71,6 +71,9 @@ enum Known<R, const N: usize> {
     /// No part: the guard has to be sampled.
     Nowhere,
 }
+
+/// Where a guard ends a piece, and how.
+type Ending<R> = (Fall<R>, How);
 
 /// A guard along a step.
 struct Way<R, const N: usize> {
@@ -123,7 +126,7 @@ where
             }
         }
         if self.all().next().is_none() {
-            return Ok(Found { first: None, is_shared: false, until: num_traits::One::one() });
+            return Ok(Found { first: None, how: How::Falls, until: num_traits::One::one() });
         }
         self.closely(course, &ends, fired, attempts)
     }
@@ -137,7 +140,7 @@ where
         fired: Option<Guard>,
         attempts: &mut u64,
     ) -> Result<Found<S::Scalar>, Cause> {
-        let mut found = Found { first: None, is_shared: false, until: num_traits::One::one() };
+        let mut found = Found { first: None, how: How::Falls, until: num_traits::One::one() };
         let borne = self.borne(course);
         let sharing = self.sharing();
         for guard in Self::every() {
@@ -164,17 +167,17 @@ where
                 }
             };
             if until < before {
-                found = Found { first: None, is_shared: false, until };
+                found = Found { first: None, how: How::Falls, until };
             }
             let Some(end) = end else { continue };
             for direction in self.directions_of(guard) {
                 let curve = whole.take().or_else(|| self.curve(guard, direction, course, &ends.start));
                 let Some(curve) = curve else { continue };
                 let way = Way { guard, curve, end, before: self.before(guard, &curve, fired) };
-                if let Some(fall) = self.fall(&way, course, ends, &borne, attempts)?
+                if let Some((fall, how)) = self.fall(&way, course, ends, &borne, attempts)?
                     && found.first.as_ref().is_none_or(|(other, _)| fall.place < other.place)
                 {
-                    found.first = Some((fall, guard));
+                    (found.first, found.how) = (Some((fall, guard)), how);
                 }
             }
         }
@@ -182,16 +185,17 @@ where
             let before = found.first.as_ref().map_or(found.until, |(fall, _)| fall.place);
             let until = if borne.is_known { before } else { smaller(before, self.followed(course)) };
             if until < before {
-                found = Found { first: None, is_shared: false, until };
+                found = Found { first: None, how: How::Falls, until };
             }
             if let Some(fall) = self.shared(course, until, &ends.start) {
-                (found.first, found.is_shared) = (Some((fall, guard)), true);
+                (found.first, found.how) = (Some((fall, guard)), How::Shared);
             }
         }
         Ok(found)
     }
 
-    /// The first fall of a guard along its way; `None` if it does not fall.
+    /// The first fall of a guard along its way, or where it touches zero if derivatives are asked for; `None`
+    /// if it does neither.
     fn fall(
         &self,
         Way { guard, curve, end: last, before }: &Way<S::Scalar, N>,
@@ -199,28 +203,40 @@ where
         ends: &Ends<S::Scalar, C, W>,
         borne: &Borne<S::Scalar, N, C>,
         attempts: &mut u64,
-    ) -> Result<Option<Fall<S::Scalar>>, Cause> {
+    ) -> Result<Option<Ending<S::Scalar>>, Cause> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let clearest = S::Scalar::from_f64(0.5).powi(CLEAREST);
         let until = last.part;
         let (mut from, mut width, mut here) = (zero, until, *self.start);
+        let is_gap = matches!(*guard, Guard::Row(row)
+            if S::ROWS.get(row) == Some(&Row::Unilateral) && !self.is_reaction(row));
+        let (mut is_above, mut touched) = (false, None);
         loop {
             let to = from + width;
             let end = if to == until { *last } else { self.at_end(*guard, course, to, borne) };
             // With the same errors of the state, so that both differ by the guard alone.
             let own = self.at_state(*guard, course, from, [&here, &end.errors], borne).error;
             let part = Taylor { error: larger(own, end.value.error), ..curve.on(from, width) };
-            if !stays_above(&part) {
+            let wide = self.within_tolerance(*guard, &part, course);
+            if !stays_above(&wide) {
                 let clear = if width > clearest { clear(&part, own) } else { num_traits::One::one() };
                 if clear < num_traits::One::one() {
                     *attempts = attempts.checked_sub(1).ok_or(Cause::TooManySteps)?;
                     width *= clear;
                     continue;
                 }
-                let before = if from == zero { *before } else { Before::Unknown };
+                let first = if from == zero { *before } else { Before::Unknown };
+                is_above |= first == Before::Unknown && starts_above(&part);
+                let before = if is_above && is_gap { Before::Above } else { first };
                 if let Some(fall) = falls(&part, before) {
                     let [place, fallen] = [fall.place, fall.fallen].each(|place| from + place * width);
-                    return Ok(Some(Fall { place, fallen }));
+                    return Ok(Some((Fall { place, fallen }, How::Falls)));
+                }
+                if S::Scalar::PARTS > 1 && is_above && starts_above(&wide) {
+                    touched = touches(&wide).map(|place| from + place * width);
+                    if touched.is_some() {
+                        break;
+                    }
                 }
             }
             (from, here) = (to, end.state);
@@ -230,10 +246,12 @@ where
             }
             width = smaller(width + width, until - from);
         }
-        // A guard below zero at the end has fallen, whatever its truncated polynomial says.
+        // Below zero at the end it has fallen, whatever its truncated polynomial says.
         let is_end = until == num_traits::One::one() && !self.is_of_reactions(*guard);
         let has_fallen = is_end && ends.end.get(*guard).part(0) < -last.value.error;
-        Ok(has_fallen.then_some(Fall { place: until, fallen: until }))
+        let touched = touched.map(|place| (place, How::Touches));
+        let fallen = touched.or(has_fallen.then_some((until, How::Falls)));
+        Ok(fallen.map(|(place, how)| (Fall { place, fallen: place }, how)))
     }
 
     /// The part of the step on which a guard is known, no longer than `until` if it has a series there.
@@ -347,36 +365,5 @@ where
         }
         let Rounded { value, error } = *own.rounded(state, errors, &reactions).get(guard);
         Rounded { value: value.part(0), error: error.part(0) }
-    }
-
-    /// The part of the step where a guard itself is zero beside a fall of its polynomial, which is known
-    /// until a later part. The polynomial has the rounding errors of the whole part of the step that it is
-    /// taken on. The place stays as it is where the guard is within the rounding errors of its own value,
-    /// or where it has fallen before. `None` where the guard has not fallen: the polynomial does by its
-    /// truncation error. `sizes` bound the summands of the state there.
-    pub(super) fn at_zero(
-        &self,
-        guard: Guard,
-        [place, until]: [S::Scalar; 2],
-        sizes: &State<S::Scalar, N>,
-        mut at: impl FnMut(S::Scalar) -> Option<State<S::Scalar, N>>,
-    ) -> Option<S::Scalar> {
-        let half = S::Scalar::from_f64(0.5);
-        let mut value = |place: S::Scalar| {
-            let nothing = Rounded::exact(S::Scalar::from_f64(f64::NAN));
-            at(place).map_or(nothing, |state| self.value(guard, &state, sizes))
-        };
-        let there = value(place);
-        // No place is before a start, and a guard that is NaN has no better place.
-        if place == num_traits::Zero::zero() || !above(there.value.abs(), there.error) {
-            return Some(place);
-        }
-        // The start is excluded: a guard that was zero there is zero there again.
-        let bracket = [half * place, until];
-        let zero = Zero { theta: place, kind: Kind::Falling, side: Side::Below, bracket };
-        let zero = zero.polish(|place| value(place).value);
-        // A load is a size: behind its zero it grows again, and its polynomial alone falls.
-        let is_size = matches!(guard, Guard::Row(row) if S::ROWS.get(row) == Some(&Row::Load));
-        (is_size || zero != place || there.value < num_traits::Zero::zero()).then_some(zero)
     }
 }

@@ -20,8 +20,8 @@ use crate::system::state::State;
 /// The factor by which ε becomes smaller.
 const FACTOR: f64 = 0.25;
 
-/// The most values of ε: down to the rounding errors of `f64`.
-const VALUES: usize = 32;
+/// The most values of ε: down to the rounding errors of a scalar with 31 digits.
+const VALUES: usize = 64;
 
 /// The most steps of Newton's method for each of them.
 const STEPS: usize = 24;

@@ -2,7 +2,7 @@
 
 use super::course::Course;
 use super::guards::{Guard, Guards};
-use super::place::Event;
+use super::place::{Event, How};
 use super::rest::RESOLVED;
 use super::run::Run;
 use super::{Row, Switching};
@@ -50,7 +50,7 @@ where
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
         let (control, limits) = (self.control, self.limits);
         let narrow = guards.fallen_inside::<M>(&mut memory.inner, constants, control, limits);
-        let (mut fall, mut known, mut is_shared) = (None, one, false);
+        let (mut fall, mut known, mut how) = (None, one, How::Falls);
         if let Some(terms) = M::terms(&memory.inner) {
             let course = Course::new(terms, limits.relative, S::FOLLOWED);
             let found = guards.first_along(&course, &end, memory.fired, attempts)?;
@@ -58,7 +58,7 @@ where
             if has_none && guards.all().next().is_none() {
                 return Ok(None);
             }
-            (known, is_shared) = (found.until, found.is_shared);
+            (known, how) = (found.until, found.how);
             fall = found.first.map(|found| {
                 let sizes = terms.sizes(&start, found.0.place);
                 (found, sizes, terms.length * terms.unit, terms.residue)
@@ -74,7 +74,10 @@ where
         let mut first = None;
         if let Some(((Fall { place, fallen }, guard), sizes, ..)) = &fall {
             let parts = [*place, larger(*fallen, known)];
-            let zero = if is_shared { Some(*place) } else { guards.at_zero(*guard, parts, sizes, &mut at) };
+            let zero = match how {
+                How::Falls => guards.at_zero(*guard, parts, sizes, &mut at),
+                How::Shared | How::Touches => Some(*place),
+            };
             // Half the step has hardly a truncation error, if rounding of time leaves room for it.
             let nearer = S::Scalar::from_f64(0.5) * *place;
             first = if zero.is_none() && start.t + nearer * (end.t - start.t) != start.t {
@@ -99,7 +102,7 @@ where
             }
         };
         if sampled.is_some() {
-            (first, passed, is_shared) = (sampled, None, false);
+            (first, passed, how) = (sampled, None, How::Falls);
         }
         if let Some((place, guard)) =
             narrow.filter(|&(place, _)| first.map_or(known, |(part, _)| part) >= place)
@@ -107,7 +110,7 @@ where
             let nearer = S::Scalar::from_f64(0.5) * place;
             let is_resolved = start.t + nearer * (end.t - start.t) != start.t;
             first = if is_resolved { None } else { Some((place, guard)) };
-            (known, passed, is_shared) = (if is_resolved { nearer } else { place }, None, false);
+            (known, passed, how) = (if is_resolved { nearer } else { place }, None, How::Falls);
         }
         let (part, guard) = match first {
             Some((part, guard)) => (part, Some(guard)),
@@ -154,7 +157,7 @@ where
             (_, None) => zero,
         };
         let (accelerations, crossed) = ([zero; N], [false; W]);
-        let mut event = Event { state, guard, is_shared, late, place: state, accelerations, crossed };
+        let mut event = Event { state, guard, how, late, place: state, accelerations, crossed };
         let Some(guard) = guard else { return Ok(Some(event)) };
         let State { t, q, v } = state;
         event.accelerations = in_regime.accelerations_at(constants, t, &q, &v, inputs);

@@ -5,13 +5,24 @@ use super::way::shift;
 use crate::number::real::Real;
 use crate::system::state::State;
 
+/// How a guard ends a piece.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum How {
+    /// It falls through zero.
+    Falls,
+    /// It stands for all rows that have shared a load until there: its own function tells nothing.
+    Shared,
+    /// It comes as near to zero as its rounding errors, which do not tell whether it falls. A motion without
+    /// derivatives goes on.
+    Touches,
+}
+
 /// The place where a piece ends before its step.
 pub(super) struct Event<R, const N: usize, const W: usize> {
     pub(super) state: State<R, N>,
     /// The guard that has fired; `None` if the guards are known no further.
     pub(super) guard: Option<Guard>,
-    /// Whether it stands for all rows that have shared a load until there: its own function tells nothing.
-    pub(super) is_shared: bool,
+    pub(super) how: How,
     /// The delay of the time of the state after the zero of the guard, since times are rounded.
     pub(super) late: R,
     /// The accelerations at the state.
@@ -27,7 +38,7 @@ impl<R: Real, const N: usize, const W: usize> Event<R, N, W> {
     /// The end of a piece at a state before which no guard has fired.
     pub(super) fn cut(state: State<R, N>) -> Self {
         let (zero, accelerations, crossed) = (R::zero(), [R::zero(); N], [false; W]);
-        Self { state, guard: None, is_shared: false, late: zero, accelerations, place: state, crossed }
+        Self { state, guard: None, how: How::Falls, late: zero, accelerations, place: state, crossed }
     }
 
     /// Takes the place back from the state, by its delay.

@@ -5,7 +5,7 @@ use super::hybrid::{Memory, sum};
 use super::kinks::{followed, jumped};
 use super::known::Known;
 use super::memory::HybridMemory;
-use super::place::Event;
+use super::place::{Event, How};
 use super::scene::{Scene, Status, most};
 use super::standstill::is_at_rest;
 use super::turning::has_pairs;
@@ -336,14 +336,18 @@ where
         };
         let varied = if S::Scalar::PARTS > 1 && regime_ends {
             let a = &event.accelerations;
-            let shared = event.is_shared;
-            self.varied(guard, shared, &state, a, |run, state| {
+            self.varied(guard, event.how, &state, a, |run, state| {
                 go_beyond(state, a);
                 run.settle(state, present, known, event.late)
             })?
         } else {
             num_traits::Zero::zero()
         };
+        if event.how == How::Touches {
+            let memory = &mut *self.memory;
+            (memory.fired, memory.is_cut, memory.next) = (None, true, Some((memory.regime, state)));
+            return Ok(());
+        }
         let mut state = event.place;
         shift(&mut state, &event.accelerations, varied);
         state.t += varied;

@@ -16,6 +16,7 @@
 use super::choice::Choice;
 use super::guards::{Guard, Guards};
 use super::known::Known;
+use super::place::How;
 use super::run::Run;
 use super::scene::{Scene, Status, above, entry, most, rounding};
 use super::{Regime, Row, Switching};
@@ -64,16 +65,17 @@ where
     pub(super) fn varied(
         &mut self,
         guard: Guard,
-        is_shared: bool,
+        how: How,
         state: &State<S::Scalar, N>,
         a: &[S::Scalar; N],
         switched: impl FnOnce(&mut Self, &mut State<S::Scalar, N>) -> Result<Regime<S::Scalar, C, W>, Cause>,
     ) -> Result<S::Scalar, Cause> {
         self.check_direction(guard)?;
         let crossing = self.crossing(guard, state, a);
+        let is_shared = how == How::Shared;
         let doubt = if is_shared {
             Some(Cause::SwitchesCoincide { name: self.name(guard), other: self.other_name(guard) })
-        } else if self.is_known(guard, &crossing, state) {
+        } else if how == How::Falls && self.is_known(guard, &crossing, state) {
             self.coincidence(guard, &crossing, state, a)
         } else {
             let name = self.name(guard);
@@ -86,9 +88,17 @@ where
             })
         };
         let Some(doubt) = doubt else { return Ok(crossing.later()) };
-        // If nothing jumps, the time of the switch does not matter.
+        // If nothing jumps, the time of the switch does not matter, unless a row holds from then on, which
+        // takes its variation, or a contact that closes would have struck.
         let mut after = *state;
         let regime = switched(self, &mut after)?;
+        let before = self.memory.regime.active;
+        let is_gap = matches!(guard, Guard::Row(row)
+            if S::ROWS.get(row) == Some(&Row::Unilateral) && before.get(row) == Some(&false));
+        let holds = || before.iter().zip(&regime.active).any(|(before, after)| !before && *after);
+        if matches!(doubt, Cause::Grazes { .. }) && (is_gap || holds()) {
+            return Err(doubt);
+        }
         let in_regime = self.system.in_regime(&regime);
         let State { t, q, v } = &after;
         let b = in_regime.accelerations_at(&in_regime.constants(), *t, q, v, &self.control.0);

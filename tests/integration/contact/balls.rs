@@ -331,3 +331,43 @@ fn an_impact_at_a_time_that_is_asked_for_is_told_once() {
     let first = motion.advance_to_switch(2.0).unwrap().unwrap();
     close(first.state.t, if is_before { 0.5 } else { 1.0 }, 1e-13);
 }
+
+/// A mass on a spring that a floor stops shortly before its lowest point.
+struct Bob {
+    floor: f64,
+}
+
+#[lagrangian(coordinates = [y])]
+impl Bob {
+    #[point(mass = 1.0)]
+    fn bob(&self, q: &Coordinates) -> f64 {
+        q.y
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        0.5 * q.y * q.y
+    }
+
+    #[unilateral(restitution = 0.5)]
+    fn gap(&self, q: &Coordinates) -> f64 {
+        q.y - self.floor
+    }
+}
+
+/// A strike has the root of its depth for a speed, so one that is missed changes the motion by much more than
+/// its depth. The error is to be that of a few rounding errors of the height of the floor.
+#[test]
+fn strikes_are_met_down_to_rounding_errors_of_their_depth() {
+    for depth in (6..16).map(|digits| 10_f64.powi(-digits)) {
+        let bob = Bob { floor: depth - 1.0 };
+        let mut motion = bob.simulate(State::new([0.0], [1.0])).with_tolerance(0.0);
+        let found = motion.advance_to(6.0).unwrap().q[0];
+        let height = -bob.floor;
+        let speed = ((1.0 - height) * (1.0 + height)).sqrt();
+        let passed = 6.0 - std::f64::consts::PI - height.asin();
+        let expected = 0.5 * speed * passed.sin() - height * passed.cos();
+        let ulp = f64::EPSILON / speed;
+        assert!((found - expected).abs() < 16.0 * ulp, "{depth:e}: {found} instead of {expected}");
+    }
+}

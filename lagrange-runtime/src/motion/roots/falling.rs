@@ -1,7 +1,10 @@
 //! Where a polynomial with known roundings falls through zero.
 //!
 //! A guard has fallen where it is below zero by more than its roundings; it was zero where the polynomial was
-//! zero last. So what touches zero within roundings has not fallen, and nothing falls twice.
+//! zero last. So what touches zero within roundings has not fallen, and nothing falls twice. A gap that has
+//! been above zero for certain cannot have fallen before. It falls where its polynomial does: a contact that
+//! closes by roundings opens again and changes no more than these do, while a strike that is missed changes
+//! the motion by the root of the depth that it would have.
 //!
 //! Coefficients of Bernstein bound a polynomial by their least and largest, and it has no more roots on its
 //! interval than they have changes of sign. Those of a part of the interval follow from those of powers
@@ -30,6 +33,8 @@ pub(crate) enum Before {
     Unknown,
     /// It is zero there whatever the polynomial says, and rises.
     Zero,
+    /// It has been above zero by more than its roundings: then it falls where its polynomial does.
+    Above,
 }
 
 /// A fall through zero.
@@ -45,13 +50,13 @@ pub(crate) struct Fall<R> {
 pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<Fall<R>> {
     let zero = R::zero();
     let first = guard.start();
-    let noise = self::noise(guard);
+    let noise = if before == Before::Above { zero } else { self::noise(guard) };
     let mut powers = guard.coefficients;
-    let starts_at_zero = match before {
-        Before::Unknown if first < -noise => return Some(Fall { place: zero, fallen: zero }),
-        // What is above zero there falls through it as the polynomial does.
-        Before::Unknown | Before::Zero => first <= zero,
-    };
+    if before != Before::Zero && first < -noise {
+        return Some(Fall { place: zero, fallen: zero });
+    }
+    // What is above zero there falls through it as the polynomial does.
+    let starts_at_zero = first <= zero;
     let polynomial = powers.get_mut(..=guard.degree)?;
     let start = polynomial[0];
     if starts_at_zero {
@@ -69,6 +74,36 @@ pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<Fal
         root(polynomial, low, high, noise)
     };
     Some(Fall { place, fallen: high })
+}
+
+/// Where on \[0, 1] a guard that has been above zero is least, if it comes so near to zero that its roundings
+/// do not tell whether it falls: the first such place that halving knows.
+#[cold]
+pub(crate) fn touches<R: Ordered>(guard: &Taylor<R>) -> Option<R> {
+    let (zero, half) = (R::zero(), R::from_f64(0.5));
+    let noise = noise(guard);
+    let mut powers = guard.coefficients;
+    let polynomial = powers.get_mut(..=guard.degree)?;
+    polynomial[0] -= noise;
+    let [mut low, mut high] = isolated(polynomial, zero)?;
+    let falls = |place: R| with_slope(polynomial, place)[1] < zero;
+    if falls(high) {
+        (low, high) = (high, R::one());
+        if falls(high) {
+            return Some(high);
+        }
+    }
+    loop {
+        let middle = half * (low + high);
+        if middle <= low || middle >= high {
+            return Some(middle);
+        }
+        if falls(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
 }
 
 /// An interval at whose start a polynomial is above −`noise` and at whose end it is below, and whose start is
@@ -151,6 +186,11 @@ fn noise<R: Ordered>(guard: &Taylor<R>) -> R {
     guard.error + summed * guard.extent()
 }
 
+/// Whether a guard starts above zero by more than its roundings.
+pub(crate) fn starts_above<R: Ordered>(guard: &Taylor<R>) -> bool {
+    guard.start() > noise(guard)
+}
+
 /// Whether a guard is above zero on the whole of its interval, by more than its roundings.
 pub(crate) fn stays_above<R: Ordered>(guard: &Taylor<R>) -> bool {
     let noise = noise(guard);
@@ -169,7 +209,7 @@ fn is_bounded<R: Ordered>(guard: &Taylor<R>, noise: R) -> bool {
 /// Whether a guard rises from where it starts and does not come back: whether what it gains is a positive
 /// multiple of the time, by more than its error.
 pub(crate) fn rises<R: Ordered>(guard: &Taylor<R>, before: Before) -> bool {
-    if before == Before::Unknown && guard.start() < R::zero() {
+    if before != Before::Zero && guard.start() < R::zero() {
         return false;
     }
     let noise = noise(guard);

@@ -7,6 +7,7 @@ use super::super::{Along, Row, Switching};
 use super::Ends;
 use crate::motion::roots::{rises, stays_above};
 use crate::number::real::{Ordered, Real, smaller};
+use crate::series::taylor::Taylor;
 
 /// The degree to which a first look takes polynomials: the cost of Bernstein's coefficients grows with the
 /// square of the degree.
@@ -67,6 +68,28 @@ where
         }
     }
 
+    /// A guard of a motion with derivatives, with an error by which the motion may miss it or meet it: beside
+    /// gaps and limits of friction that it touches there are none, and it is known to its tolerance only.
+    pub(super) fn within_tolerance(
+        &self,
+        guard: Guard,
+        curve: &Taylor<S::Scalar>,
+        course: &Course<'_, S::Scalar, N>,
+    ) -> Taylor<S::Scalar> {
+        let may_touch = match guard {
+            Guard::Row(row) => match S::ROWS.get(row) {
+                Some(Row::Unilateral) => !self.is_reaction(row),
+                Some(Row::Friction { .. }) => true,
+                _ => false,
+            },
+            Guard::Kink(_) => true,
+        };
+        if S::Scalar::PARTS == 1 || !may_touch {
+            return *curve;
+        }
+        Taylor { error: curve.error + course.left * curve.extent(), ..*curve }
+    }
+
     /// Whether a guard stays above zero after the start of the step, or at zero, as far as its polynomial and
     /// its end show that without parts of the step.
     pub(super) fn keeps_away(
@@ -93,6 +116,7 @@ where
             }
             // A switching function that is zero without roundings is that of something at rest.
             let rests = matches!(guard, Guard::Kink(_)) && curve.extent() == num_traits::Zero::zero();
+            let short = self.within_tolerance(guard, &short, course);
             converges && (rests || stays_above(&short) || rises(&short, before))
         })
     }

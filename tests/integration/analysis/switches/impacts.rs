@@ -5,6 +5,7 @@ use lagrangian::prelude::*;
 
 use super::TIGHT;
 use crate::support::close::{all_close_on_largest, close, close_on};
+use crate::support::sample::Samples;
 
 /// A ball over a floor, and under a ceiling that is far away unless a test says otherwise.
 struct Ball {
@@ -138,6 +139,33 @@ fn a_ball_that_grazes_has_no_derivatives() {
                 assert!(error.to_string().contains("grazes `ceiling`"), "{error}");
             }
             Ok(_) => assert!(!grazes || !hits),
+        }
+    }
+}
+
+/// The highest point of a flight is at the ceiling, up to rounding errors of either sign.
+#[test]
+fn a_ball_that_just_reaches_the_ceiling_has_no_derivatives() {
+    let mut random = Samples::new(17);
+    let mut draws = vec![(2.0, 2.0, 1.0)];
+    draws.extend((0..40).map(|_| {
+        let (gravity, speed) = (random.number(1.0, 10.0), random.number(1.0, 5.0));
+        (gravity, speed, speed * speed / (2.0 * gravity))
+    }));
+    for (gravity, speed, ceiling) in draws {
+        let ball = Ball { gravity, restitution: 0.8, ceiling };
+        let variational = ball.variational();
+        let start = State::new([0.0, 1e-3], [1.0, (speed * speed - 2e-3 * gravity).sqrt()]);
+        for start in [State::new([0.0, 0.0], [0.5, speed]), start] {
+            let mut motion = variational.motion(start).unwrap().with_tolerance(1e-12);
+            let top = start.v[1] / gravity;
+            motion.advance_to(0.9 * top).unwrap();
+            let error = motion.advance_to(1.5 * top).unwrap_err();
+            assert!(
+                matches!(error.cause, Cause::Grazes { name, .. } if name.as_str() == "ceiling"),
+                "{error}"
+            );
+            close_on(1.0, error.t, top, 1e-5);
         }
     }
 }
