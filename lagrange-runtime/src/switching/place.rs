@@ -12,8 +12,8 @@ pub(super) enum How {
     Falls,
     /// It stands for all rows that have shared a load until there: its own function tells nothing.
     Shared,
-    /// It comes as near to zero as its rounding errors, which do not tell whether it falls. A motion without
-    /// derivatives goes on.
+    /// It comes so near to zero that the errors of the motion do not tell whether it falls. A motion has
+    /// derivatives there only if nothing jumps.
     Touches,
 }
 
