@@ -169,3 +169,91 @@ fn a_bead_stops_where_its_friction_lets_it() {
         close_on(1.0, found.v_by_p[(row, 0)], 0.0, 1e-12);
     }
 }
+
+/// A block under a load that has an extremum, with friction that holds more than it gives.
+struct Loaded {
+    height: f64,
+    bend: f64,
+    holds: f64,
+}
+
+#[lagrangian(coordinates = [x], sensitivities = [self.height])]
+impl Loaded {
+    #[point(mass = 1.0)]
+    fn block(&self, q: &Coordinates) -> f64 {
+        q.x
+    }
+
+    #[force(on = x)]
+    fn load(&self, t: f64) -> f64 {
+        self.height + self.bend * (t - 1.0).powi(2)
+    }
+
+    #[friction(limit = 0.5, static_limit = self.holds)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+}
+
+#[test]
+fn a_load_that_just_reaches_what_friction_holds_has_no_derivatives() {
+    for (height, grazes) in [(1.0, true), (1.0 - 1e-15, true), (1.0 - 1e-9, false), (0.9, false)] {
+        let block = Loaded { height, bend: -1.0, holds: 1.0 };
+        let variational = block.variational();
+        let mut motion = variational.motion(State::at_rest([0.0])).unwrap().with_tolerance(TIGHT);
+        let found = motion.advance_to(1.5);
+        if grazes {
+            let error = found.unwrap_err();
+            assert!(matches!(error.cause, Cause::Grazes { name, .. } if name.as_str() == "slip"), "{error}");
+            close_on(1.0, error.t, 1.0, 1e-6);
+        } else {
+            assert_eq!(found.unwrap().q_by_p[(0, 0)], 0.0);
+        }
+    }
+    // Where friction holds no more than it gives, a block that hardly slips goes hardly any way.
+    let block = Loaded { height: 0.5, bend: -1.0, holds: 0.5 };
+    let variational = block.variational();
+    let mut motion = variational.motion(State::at_rest([0.0])).unwrap().with_tolerance(TIGHT);
+    close_on(1.0, motion.advance_to(1.5).unwrap().q_by_p[(0, 0)], 0.0, 1e-6);
+}
+
+/// A block whose load falls short of its friction, and exceeds it from t = 1 on.
+struct Slowed {
+    limit: f64,
+}
+
+#[lagrangian(coordinates = [x], sensitivities = [self.limit])]
+impl Slowed {
+    #[point(mass = 1.0)]
+    fn block(&self, q: &Coordinates) -> f64 {
+        q.x
+    }
+
+    #[force(on = x)]
+    fn load(&self, t: f64) -> f64 {
+        0.75 + 2.0 * (t - 1.0)
+    }
+
+    #[friction(limit = self.limit)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+}
+
+/// Friction and load bring the slip to (t − 1)², which rests for an instant. A slower one rests for a while.
+#[test]
+fn a_slip_that_just_comes_to_rest_has_no_derivatives() {
+    by_speed(1.0).unwrap_err();
+    let passes = by_speed(1.1).unwrap();
+    close_on(1.0, passes, 1.0, 1e-12);
+    let rests = by_speed(0.9).unwrap();
+    close_on(1.0, rests, 0.0, 1e-12);
+}
+
+/// ∂v/∂v₀ behind the slowest instant of a slip that begins with this speed.
+fn by_speed(speed: f64) -> Result<f64, MotionError<f64>> {
+    let block = Slowed { limit: 0.75 };
+    let variational = block.variational();
+    let mut motion = variational.motion(State::new([0.0], [speed]))?.with_tolerance(TIGHT);
+    Ok(motion.advance_to(2.5)?.v_by_v[(0, 0)])
+}
