@@ -208,8 +208,6 @@ where
         let clearest = S::Scalar::from_f64(0.5).powi(CLEAREST);
         let until = last.part;
         let (mut from, mut width, mut here) = (zero, until, *self.start);
-        let is_gap = matches!(*guard, Guard::Row(row)
-            if S::ROWS.get(row) == Some(&Row::Unilateral) && !self.is_reaction(row));
         let (mut is_above, mut touched) = (false, None);
         loop {
             let to = from + width;
@@ -217,7 +215,7 @@ where
             // With the same errors of the state, so that both differ by the guard alone.
             let own = self.at_state(*guard, course, from, [&here, &end.errors], borne).error;
             let part = Taylor { error: larger(own, end.value.error), ..curve.on(from, width) };
-            let wide = self.within_tolerance(*guard, &part, course);
+            let wide = Taylor { error: part.error + self.unknown(*guard, &part, course), ..part };
             if !stays_above(&wide) {
                 let clear = if width > clearest { clear(&part, own) } else { num_traits::One::one() };
                 if clear < num_traits::One::one() {
@@ -227,7 +225,7 @@ where
                 }
                 let first = if from == zero { *before } else { Before::Unknown };
                 is_above |= first == Before::Unknown && starts_above(&part);
-                let before = if is_above && is_gap { Before::Above } else { first };
+                let before = if is_above && self.is_gap(*guard) { Before::Above } else { first };
                 if let Some(fall) = falls(&part, before) {
                     let [place, fallen] = [fall.place, fall.fallen].each(|place| from + place * width);
                     return Ok(Some((Fall { place, fallen }, How::Falls)));

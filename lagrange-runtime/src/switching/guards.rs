@@ -382,11 +382,9 @@ where
         let size = most(start.1, end.1) + late * spread;
         let polynomial = Polynomial::interpolate(size, |place| value(place).0)?;
         let noise = most(polynomial.noise(), rounding::<S::Scalar>() * most(start.1, scale));
-        let is_gap = matches!(guard, Guard::Row(row)
-            if S::ROWS.get(row) == Some(&Row::Unilateral) && self.regime.active.get(row) == Some(&false));
         let memory = if start.0 > noise {
             Memory::Side(Side::Above)
-        } else if start.0 >= -noise || is_gap || self.has_crossed(guard) {
+        } else if start.0 >= -noise || self.is_gap(guard) || self.has_crossed(guard) {
             // A regime that has just begun begins at zero.
             Memory::Zero(Some(Side::Above))
         } else {

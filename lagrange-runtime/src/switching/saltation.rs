@@ -93,8 +93,7 @@ where
         let mut after = *state;
         let regime = switched(self, &mut after)?;
         let before = self.memory.regime.active;
-        let is_gap = matches!(guard, Guard::Row(row)
-            if S::ROWS.get(row) == Some(&Row::Unilateral) && before.get(row) == Some(&false));
+        let is_gap = self.guards().is_gap(guard);
         let holds = || before.iter().zip(&regime.active).any(|(before, after)| !before && *after);
         if matches!(doubt, Cause::Grazes { .. }) && (is_gap || holds()) {
             return Err(doubt);

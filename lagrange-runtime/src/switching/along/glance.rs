@@ -68,26 +68,20 @@ where
         }
     }
 
-    /// A guard of a motion with derivatives, with an error by which the motion may miss it or meet it: beside
-    /// gaps and limits of friction that it touches there are none, and it is known to its tolerance only.
-    pub(super) fn within_tolerance(
+    /// The error of the motion in a guard by which a motion with derivatives may miss it. Where it touches a
+    /// gap, a friction or a kink there may be none. Zero without derivatives, and for other guards.
+    pub(super) fn unknown(
         &self,
         guard: Guard,
         curve: &Taylor<S::Scalar>,
         course: &Course<'_, S::Scalar, N>,
-    ) -> Taylor<S::Scalar> {
-        let may_touch = match guard {
-            Guard::Row(row) => match S::ROWS.get(row) {
-                Some(Row::Unilateral) => !self.is_reaction(row),
-                Some(Row::Friction { .. }) => true,
-                _ => false,
-            },
+    ) -> S::Scalar {
+        let may_touch = || match guard {
+            Guard::Row(row) => self.is_gap(guard) || matches!(S::ROWS.get(row), Some(Row::Friction { .. })),
             Guard::Kink(_) => true,
         };
-        if S::Scalar::PARTS == 1 || !may_touch {
-            return *curve;
-        }
-        Taylor { error: curve.error + course.left * curve.extent(), ..*curve }
+        let is_asked = S::Scalar::PARTS > 1 && may_touch();
+        if is_asked { course.left * curve.extent() } else { num_traits::Zero::zero() }
     }
 
     /// Whether a guard stays above zero after the start of the step, or at zero, as far as its polynomial and
@@ -116,7 +110,7 @@ where
             }
             // A switching function that is zero without roundings is that of something at rest.
             let rests = matches!(guard, Guard::Kink(_)) && curve.extent() == num_traits::Zero::zero();
-            let short = self.within_tolerance(guard, &short, course);
+            short.error += self.unknown(guard, &short, course);
             converges && (rests || stays_above(&short) || rises(&short, before))
         })
     }

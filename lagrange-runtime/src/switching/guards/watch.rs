@@ -70,6 +70,12 @@ where
     S: Switching<N, K, C, W>,
     S::Scalar: Ordered,
 {
+    /// Whether a guard is the gap of an open contact.
+    pub(in crate::switching) fn is_gap(&self, guard: Guard) -> bool {
+        matches!(guard, Guard::Row(row)
+            if S::ROWS.get(row) == Some(&Row::Unilateral) && self.regime.active.get(row) == Some(&false))
+    }
+
     /// Whether a guard is watched.
     pub(in crate::switching) fn has(&self, guard: Guard) -> bool {
         self.watch.has(guard)
