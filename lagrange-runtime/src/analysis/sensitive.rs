@@ -72,7 +72,7 @@ pub trait Sensitive<
     /// `parameter` makes it from the value and, for those of [`Sensitive::PARAMETERS`], the index there.
     ///
     /// Whatever takes a system takes the result: `simulate`, steppers, batches. So derivatives by any
-    /// combination of start and parameters are motions like others, and so are second ones, by duals of duals,
+    /// combination of start and parameters are motions like others. So are second ones, by duals of duals,
     /// where there are no contacts, friction or kinks.
     fn over<R: Real>(&self, parameter: impl FnMut(Self::Scalar, Option<usize>) -> R) -> Self::Over<R>;
 
