@@ -93,8 +93,8 @@ pub fn plan(mut robot: Robot, options: &Options, file: &str, sink: &mut Sink) ->
         let mark = plan.robot.links[plan.tree.root].mark.clone();
         sink.problem(
             &mark,
-            "no joint moves; add a joint that is not fixed, or let the robot move freely: a URDF with --floating, a \
-             body of MJCF by <freejoint/>",
+            "no joint moves; add a joint that is not fixed, or let the robot move freely: a URDF with \
+             --floating, a body of MJCF by <freejoint/>",
         );
         return None;
     }

@@ -21,7 +21,8 @@ pub fn settle(robot: &mut Robot, options: &Options, sink: &mut Sink) -> Option<(
         for (joint, value) in robot.joints.iter_mut().zip(values) {
             let Some(value) = value else { continue };
             sink.note(format!(
-                "`{}` is tied to a value and stands still at {value}: motors, springs and friction in it have no effect",
+                "`{}` is tied to a value and stands still at {value}: motors, springs and friction in it have \
+                 no effect",
                 joint.name
             ));
             fix(joint, value, options.tolerance);
@@ -37,8 +38,8 @@ fn single(robot: &Robot, sink: &mut Sink) -> bool {
         let [first, others @ ..] = joint.mimics.as_slice() else { continue };
         for other in others {
             let text = format!(
-                "`{}` is tied already, by {} at {}; remove one of them, let the other joint follow in one, `joint1` and \
-                 `joint2` exchanged, or make both constraints with --mimic constrain",
+                "`{}` is tied already, by {} at {}; remove one of them, let the other joint follow in one, \
+                 `joint1` and `joint2` exchanged, or make both constraints with --mimic constrain",
                 joint.name, first.mark.element, first.mark.position
             );
             sink.problem(&other.mark, text);

@@ -66,6 +66,9 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) counts: Steps,
 }
 
+/// The way to a regime, the contacts that bear since it, its time, and its impulses.
+type Notes<R, const N: usize, const C: usize> = (Way<R, N>, [bool; C], R, [R; C]);
+
 impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMemory<I, X, J, R, N, C, W> {
     /// Whether `t` lies in the piece, ends included.
     pub(super) fn covers(&self, t: R) -> bool {
@@ -114,6 +117,15 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
             return Some(after);
         }
         (t == self.switched && self.next.is_some()).then(|| self.switched())
+    }
+
+    /// What the search for a regime notes beside it, to be taken back where the regime is not entered.
+    pub(super) fn notes(&self) -> Notes<R, N, C> {
+        (self.way, self.landed, self.switched, self.impulses)
+    }
+
+    pub(super) fn take_back(&mut self, notes: Notes<R, N, C>) {
+        (self.way, self.landed, self.switched, self.impulses) = notes;
     }
 
     /// Forgets the changes of regime before time has passed.

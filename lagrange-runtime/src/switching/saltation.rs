@@ -90,8 +90,9 @@ where
         let Some(doubt) = doubt else { return Ok(crossing.later()) };
         // If nothing jumps, the time of the switch does not matter, unless a row holds from then on, which
         // takes its variation, or a contact that closes would have struck.
-        let mut after = *state;
+        let (mut after, notes) = (*state, self.memory.notes());
         let regime = switched(self, &mut after)?;
+        self.memory.take_back(notes);
         let before = self.memory.regime.active;
         let is_gap = self.guards().is_gap(guard);
         let holds = || before.iter().zip(&regime.active).any(|(before, after)| !before && *after);

@@ -107,15 +107,13 @@ where
             let slow = self.resting(&state);
             let rested = array(|row| present.active[row] || slow[row]);
             let known = Known { fired: Some(row), rested, ..Known::new(present.active) };
-            let memory = &*self.memory;
-            let before = (memory.way, memory.landed, memory.switched, memory.impulses);
+            let notes = self.memory.notes();
             let regime = match self.settle(&mut state, present, known, left.part(0) - left) {
                 Err(cause) if is_straight => return Err(cause),
                 Ok(regime) if is_straight || regime.slip[row] == num_traits::Zero::zero() => regime,
                 // A load that friction cannot hold turns the slip before it stops.
                 _ => {
-                    let memory = &mut *self.memory;
-                    (memory.way, memory.landed, memory.switched, memory.impulses) = before;
+                    self.memory.take_back(notes);
                     continue;
                 }
             };

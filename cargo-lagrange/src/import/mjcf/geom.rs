@@ -50,8 +50,8 @@ pub fn inertial<'a>(
     if is_fitted || !SHAPES.contains(&kind) {
         let what = if is_fitted { "fitted to a mesh".to_owned() } else { format!("of type `{kind}`") };
         let text = format!(
-            "the mass of a geom {what} is not known; write an <inertial> into the body, or mass=\"0\" if it is there to \
-             be seen only"
+            "the mass of a geom {what} is not known; write an <inertial> into the body, or mass=\"0\" if it \
+             is there to be seen only"
         );
         if counts {
             reader.problem(node, text);

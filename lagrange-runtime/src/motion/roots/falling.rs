@@ -76,8 +76,9 @@ pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<Fal
     Some(Fall { place, fallen: high })
 }
 
-/// Where on \[0, 1] a guard that has been above zero is least, if it comes so near to zero that its roundings
-/// do not tell whether it falls: the first such place that halving knows.
+/// Where on \[0, 1] a guard that has been above zero is least, if it comes so near to zero there that its
+/// roundings do not tell whether it falls: the first such place that halving knows. One that still falls at
+/// the end is least further on.
 #[cold]
 pub(crate) fn touches<R: Ordered>(guard: &Taylor<R>) -> Option<R> {
     let (zero, half) = (R::zero(), R::from_f64(0.5));
@@ -90,7 +91,7 @@ pub(crate) fn touches<R: Ordered>(guard: &Taylor<R>) -> Option<R> {
     if falls(high) {
         (low, high) = (high, R::one());
         if falls(high) {
-            return Some(high);
+            return None;
         }
     }
     loop {

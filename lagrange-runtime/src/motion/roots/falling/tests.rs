@@ -182,3 +182,32 @@ fn what_is_zero_all_the_time_never_falls() {
         }
     }
 }
+
+#[test]
+fn what_has_been_above_zero_falls_where_its_polynomial_does() {
+    // Less deep than the bound of its roundings.
+    let mut guard = with_roots(&[0.4, 0.6], 0.1);
+    guard.coefficients[0] += 0.01 - 1e-9;
+    assert!(starts_above(&guard) && falls(&guard, Before::Unknown).is_none());
+    let fall = falls(&guard, Before::Above).unwrap();
+    assert!((fall.place - 0.5).abs() < 1e-4, "{fall:?}");
+    guard.coefficients[0] += 2e-9;
+    assert!(falls(&guard, Before::Above).is_none());
+}
+
+#[test]
+fn what_touches_zero_within_its_error_does_so_where_it_is_least() {
+    for place in [0.1, 0.35, 0.5, 0.97] {
+        let guard = |above: f64| {
+            let mut guard = with_roots(&[place, place], 1e-8);
+            guard.coefficients[0] += above;
+            guard
+        };
+        let found = touches(&guard(1e-9)).unwrap();
+        assert!((found - place).abs() < 1e-12, "{found} instead of {place}");
+        assert_eq!(touches(&guard(1e-7)), None);
+    }
+    // At the end it still falls: whether it touches shows later.
+    assert_eq!(touches(&with_roots(&[1.0 + 1e-9], 1e-8)), None);
+    assert_eq!(touches(&with_roots(&[1.0 + 1e-5, 1.0 + 1e-5], 1e-8)), None);
+}
