@@ -135,6 +135,9 @@ pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> 
     /// The places of A that can differ from zero, where most cannot.
     const PATTERN: &'static Pattern = &Pattern::NONE;
 
+    /// Which constraints are holonomic.
+    const HOLONOMIC: [bool; C] = [true; C];
+
     /// The equations at a state, factored.
     fn equations_at(
         &self,

@@ -19,7 +19,7 @@ use crate::system::state::State;
 ///   distance of a state from the constraints changes its accelerations by the reciprocal of the distance of
 ///   the rows. The accelerations are those of the nearest state on the constraints: as good a continuation of
 ///   the equations, and a smooth one. It costs three factorisations instead of one, so it is left out where
-///   rows are only close: the check of the step's end sees the effect of poles there.
+///   rows of holonomic constraints are only close: the check of the step's end sees the effect of poles there.
 /// * Rows that depend on each other wherever the constraints hold are independent beside them. Together they
 ///   demand there what no motion can do. The nearest state on the constraints serves there too.
 /// * In a configuration where rows lose their independence for a moment, the accelerations are interpolated
@@ -39,7 +39,7 @@ where
 {
     let equations = system.equations_at(constants, t, q, v, u);
     let balance = equations.balance();
-    if balance.independence.is_clear() && !may_vanish(&equations, q, v) {
+    if is_clear::<S, N, K, C>(&balance.independence) && !may_vanish(&equations, q, v) {
         return balance.accelerations;
     }
     settled(system, constants, &State { t, q: *q, v: *v }, equations, u).unwrap_or(balance.accelerations)
@@ -112,7 +112,18 @@ where
     let own = Retraction::<S, N, K, C>::with(state, residuals, factors);
     let nearness = own.nearness();
     // Where rows all but vanish together, the nearest state has another velocity.
-    !nearness.is_clear() && (!own.saddle.independence().is_clear() || nearness.is_determined())
+    let is_clear = is_clear::<S, N, K, C>;
+    !is_clear(&nearness) && (!is_clear(&own.saddle.independence()) || nearness.is_determined())
+}
+
+/// Whether no pole is near enough to count. Holonomic constraints bring the end of a step back from where a
+/// pole has led it. Nonholonomic ones leave the coordinates there.
+#[inline(always)]
+fn is_clear<S, const N: usize, const K: usize, const C: usize>(here: &Independence<S::Scalar>) -> bool
+where
+    S: Surface<N, K, C>,
+{
+    if S::HOLONOMIC.contains(&false) { here.are_far_apart() } else { here.is_clear() }
 }
 
 /// The state whose derivatives go with [`accelerations`]: of several constraints the nearest state on them,
@@ -131,7 +142,8 @@ where
         return *state;
     }
     let equations = system.equations_at(constants, state.t, &state.q, &state.v, u);
-    let is_clear = equations.saddle.independence().is_clear() && !may_vanish(&equations, &state.q, &state.v);
+    let is_clear = is_clear::<S, N, K, C>(&equations.saddle.independence())
+        && !may_vanish(&equations, &state.q, &state.v);
     let mut near = *state;
     // Motions by Baumgarte's method are not projected.
     if !is_clear

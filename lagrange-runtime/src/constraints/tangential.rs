@@ -1,22 +1,31 @@
 //! The part of a change that the constraints leave open.
 
+use num_traits::Zero;
+
 use super::Surface;
 use crate::linear::{Gradients, SaddlePoint};
 use crate::number::elements::array;
 use crate::system::state::State;
 
-/// The part of a change of coordinates or velocities along the constraints: the change less the smallest one,
-/// in the metric of the mass matrix, that has the same product with the gradients.
+/// The part of a change of coordinates and velocities along the constraints: the change less the smallest
+/// one, in the metric of the mass matrix, that has the same product with the gradients. Nonholonomic
+/// constraints leave all changes of coordinates open: no projection takes these back.
 #[cold]
 pub fn tangential<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
-    change: &[S::Scalar; N],
-) -> [S::Scalar; N]
+    change: &State<S::Scalar, N>,
+) -> State<S::Scalar, N>
 where
     S: Surface<N, K, C>,
 {
     let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
-    let (normal, _) = saddle.solve(&[num_traits::Zero::zero(); N], &gradients.rates(change));
-    array(|i| change[i] - normal[i])
+    let none = S::Scalar::zero();
+    let held = gradients.rates(&change.q);
+    let held = array(|c| if S::HOLONOMIC[c] { held[c] } else { none });
+    let [q, v] = [(&change.q, held), (&change.v, gradients.rates(&change.v))].map(|(change, rates)| {
+        let (normal, _) = saddle.solve(&[none; N], &rates);
+        array(|i| change[i] - normal[i])
+    });
+    State { q, v, ..*change }
 }

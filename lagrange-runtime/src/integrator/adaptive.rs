@@ -8,6 +8,7 @@ use super::Field;
 use super::dop853::{Dop853Memory, Ground};
 use super::landing::{Check, Determined};
 use super::lengths::{Lengths, Verdict};
+use super::slopes::Slope;
 use super::step_size;
 use crate::number::real::{Ordered, Real, larger};
 use crate::system::System;
@@ -342,8 +343,10 @@ where
     }
 
     #[inline]
-    fn along(&self, state: &State<S::Scalar, N>, change: [S::Scalar; N]) -> [S::Scalar; N] {
-        self.system.tangential_at(state, &change)
+    fn along(&self, state: &State<S::Scalar, N>, change: Slope<S::Scalar, N>) -> Slope<S::Scalar, N> {
+        let change = State { t: num_traits::Zero::zero(), q: change.q, v: change.v };
+        let State { q, v, .. } = self.system.tangential_at(state, &change);
+        Slope { q, v }
     }
 
     #[cold]

@@ -301,7 +301,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         // Beside a configuration in which constraints depend on each other, rounding errors make large
         // accelerations across them.
         if self.ground.is_some_and(|ground| !ground.here.are_far_apart()) {
-            for change in [&mut fifth.q, &mut fifth.v, &mut third.q, &mut third.v] {
+            for change in [&mut fifth, &mut third] {
                 *change = f.along(&end.state, *change);
             }
         }

@@ -105,20 +105,25 @@ pub(super) fn is_sound<R: Real, const N: usize, const P: usize>(
     let here = &series.independence;
     let largest = |row: &[R; N]| row.iter().fold(R::zero(), |all, x| all.max(x.abs()));
     let known = [&at.q, &at.v].each(|x| R::epsilon() * largest(x));
-    (here.rank < here.rows || here.is_determined()) && falls(series, known, largest)
+    (here.rank < here.rows || here.is_determined())
+        && falls(series, known, |rows| rows.each(|row| largest(row)))
 }
 
 /// Whether the last terms of a series are no larger than those before them, or than the `known` uncertainty
-/// of the coordinates and of the velocities, by a measure of their size.
+/// of the coordinates and of the velocities, by a measure of their sizes.
 fn falls<R: Real, const N: usize, const P: usize>(
     series: &Series<R, N, P>,
     known: [R; 2],
-    size: impl Fn(&[R; N]) -> R,
+    sizes: impl Fn([&[R; N]; 2]) -> [R; 2],
 ) -> bool {
-    [&series.q, &series.v].into_iter().zip(known).all(|(rows, known)| {
-        // Symmetry makes every other term vanish, so the last one is compared with two.
-        let [.., before_last, next_to_last, last] = rows.as_slice() else { return true };
-        let usual = size(before_last).max(size(next_to_last)).max(known);
-        (size(last) - usual).largest() <= R::zero().largest()
-    })
+    // Symmetry makes every other term vanish, so the last one is compared with two.
+    let ([.., q0, q1, q2], [.., v0, v1, v2]) = (series.q.as_slice(), series.v.as_slice()) else {
+        return true;
+    };
+    let [before_last, next_to_last, last] = [[q0, v0], [q1, v1], [q2, v2]].map(sizes);
+    last.iter()
+        .zip(before_last)
+        .zip(next_to_last)
+        .zip(known)
+        .all(|(((&last, a), b), known)| (last - a.max(b).max(known)).largest() <= R::zero().largest())
 }

@@ -301,7 +301,8 @@ where
         let obeys = |defect| self.obeys_with(&defect, landing, roundings);
         let along = |mut defect: Defect<S::Scalar, N>| {
             if !is_regular {
-                defect.difference = self.system.tangential_at(end, &defect.difference);
+                let difference = State { v: defect.difference, ..apart(end, end) };
+                defect.difference = self.system.tangential_at(end, &difference).v;
             }
             defect
         };
@@ -315,8 +316,7 @@ where
         landing: &Landing<S::Scalar, N>,
     ) -> bool {
         let Landing { end, footing, sizes, .. } = landing;
-        let along = |change: &[S::Scalar; N]| self.system.tangential_at(end, change);
-        let error = State { q: along(&error.q), v: along(&error.v), ..*error };
+        let error = self.system.tangential_at(end, error);
         let margin = S::Scalar::from_f64(1.0 / MARGIN);
         is_within(&error, footing, self.bounds(sizes).each(|bound| margin * bound))
     }

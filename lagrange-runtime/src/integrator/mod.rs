@@ -37,6 +37,7 @@ use crate::system::error::Cause;
 pub use crate::system::limits::Limits;
 pub use crate::system::method::{Adaptive, FixedStep, Terms};
 use crate::system::state::State;
+use slopes::Slope;
 
 /// The right-hand side of q″ = a(t, q, v).
 pub(crate) trait Field<R, const N: usize> {
@@ -44,8 +45,8 @@ pub(crate) trait Field<R, const N: usize> {
     fn accelerations(&self, t: R, q: &[R; N], v: &[R; N]) -> [R; N];
     /// Why it is not finite there.
     fn cause(&self, t: R, q: &[R; N], v: &[R; N]) -> Cause;
-    /// The part of a change of coordinates or velocities along the constraints at a state.
-    fn along(&self, _state: &State<R, N>, change: [R; N]) -> [R; N] {
+    /// The part of a change of coordinates and velocities along the constraints at a state.
+    fn along(&self, _state: &State<R, N>, change: Slope<R, N>) -> Slope<R, N> {
         change
     }
 }

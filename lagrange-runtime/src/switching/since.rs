@@ -118,7 +118,11 @@ impl<I: System<N, K> + Copy, const N: usize, const K: usize> System<N, K> for In
         self.in_regime.hidden_along(&at_times, inputs, visit);
     }
 
-    fn tangential_at(&self, state: &State<Self::Scalar, N>, change: &[Self::Scalar; N]) -> [Self::Scalar; N] {
+    fn tangential_at(
+        &self,
+        state: &State<Self::Scalar, N>,
+        change: &State<Self::Scalar, N>,
+    ) -> State<Self::Scalar, N> {
         self.in_regime.tangential_at(&state.at_time(self.instant + state.t), change)
     }
 

@@ -195,7 +195,7 @@ impl<T: Toy<N, C, W>, const N: usize, const C: usize, const W: usize> System<N> 
         constraints::land::<Self, N, 0, C>(self, constants, state, inputs)
     }
 
-    fn tangential_at(&self, state: &State<f64, N>, change: &[f64; N]) -> [f64; N] {
+    fn tangential_at(&self, state: &State<f64, N>, change: &State<f64, N>) -> State<f64, N> {
         constraints::tangential::<Self, N, 0, C>(self, state, change)
     }
 

@@ -212,13 +212,13 @@ pub trait System<const N: usize, const K: usize = 0> {
         None
     }
 
-    /// The part of a change of coordinates or velocities along the constraints at a state.
+    /// The part of a change of coordinates and velocities along the constraints at a state.
     #[inline(always)]
     fn tangential_at(
         &self,
         _state: &State<Self::Scalar, N>,
-        change: &[Self::Scalar; N],
-    ) -> [Self::Scalar; N] {
+        change: &State<Self::Scalar, N>,
+    ) -> State<Self::Scalar, N> {
         *change
     }
 

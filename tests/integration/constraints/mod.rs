@@ -11,6 +11,7 @@
 //! | [`single_row`] | a single constraint whose gradient vanishes on the way |
 //! | [`passages`] | through configurations in which constraints become dependent, straight on |
 //! | [`slider_cranks`] | through such a configuration again and again, at every tolerance |
+//! | [`snakeboard`] | through one of nonholonomic constraints |
 //! | [`cell`] | such a passage at the finest tolerances |
 //! | [`far`] | small differences of large coordinates |
 //! | [`linkages`] | four-bar linkages, flat configurations |
@@ -39,5 +40,6 @@ mod scalars;
 mod single_row;
 mod singular;
 mod slider_cranks;
+mod snakeboard;
 mod starts;
 mod units;

@@ -85,7 +85,8 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
              inputs: ::core::option::Option<&{inputs}>) \
              -> ::core::result::Result<lagrange::Footing<{scalar}, {count}>, lagrange::Cause> \
              {{\nlagrange::constraints::land::<Self, {count}, {given}, {held}>(self, constants, state, inputs)\n}}\n\
-             fn tangential_at(&self, state: &lagrange::State<{scalar}, {count}>, change: &{vector}) -> {vector} \
+             fn tangential_at(&self, state: &lagrange::State<{scalar}, {count}>, change: &lagrange::State<{scalar}, {count}>) \
+             -> lagrange::State<{scalar}, {count}> \
              {{\nlagrange::constraints::tangential::<Self, {count}, {given}, {held}>(self, state, change)\n}}\n"
         )
     };
@@ -111,13 +112,14 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
         Saddle::Diagonal | Saddle::Sparse | Saddle::Whole { .. } => (equations, String::new()),
     };
     let surface = format!(
-        "type Saddle = {};\n{}\
+        "type Saddle = {};\n{}{}\
          #[inline]\nfn equations_at(&self, constants: &Self::Constants, {place}, u: &{inputs}) \
          -> lagrange::Equations<Self::Saddle, {scalar}, {count}, {held}> {{\n{equations}\n}}\n\
          #[inline]\nfn residuals_at(&self, {place}) -> lagrange::Residuals<{scalar}, {held}> {{\n{residuals}\n}}\n\
          #[inline]\nfn saddle_at(&self, {place}) -> (Self::Saddle, {}) {{\n{saddle}\n}}\n",
         saddle_type(emission, method),
         pattern(emission, method),
+        holonomic(emission),
         gradients_type(emission, method)
     );
     Implementations {
@@ -127,6 +129,16 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
         parts,
         evaluation,
     }
+}
+
+/// Which constraints are holonomic, if some are not.
+fn holonomic(emission: &Emission<'_>) -> String {
+    let (graph, positions) = (&emission.model.graph, &emission.equations.conditions.positions);
+    let of: Vec<bool> = positions.iter().map(|&f| !graph.is_zero(f)).collect();
+    if of.iter().all(|&is_holonomic| is_holonomic) {
+        return String::new();
+    }
+    format!("const HOLONOMIC: [bool; {}] = {of:?};\n", of.len())
 }
 
 /// The body of `equations_at`, and the inherent function with `body`, which evaluates without factoring.

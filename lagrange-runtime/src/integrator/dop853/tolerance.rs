@@ -59,9 +59,7 @@ impl<R: Ordered, const N: usize> Tried<'_, R, N> {
         limits: &Limits<R>,
         unavoidable: &[[R::Lane; N]; 2],
     ) -> R {
-        let along = self
-            .estimates
-            .each(|estimate| Slope { q: f.along(self.to, estimate.q), v: f.along(self.to, estimate.v) });
+        let along = self.estimates.each(|estimate| f.along(self.to, *estimate));
         let across: [_; 2] = array(|i| Slope {
             q: difference(&self.estimates[i].q, &along[i].q),
             v: difference(&self.estimates[i].v, &along[i].v),

@@ -128,7 +128,10 @@ where
         }
         let known = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon() / here.least;
         let metric = &footing.metric;
-        let along = |row: &[S::Scalar; N]| metric.extent(&self.system.tangential_at(end, row));
+        let along = |[q, v]: [&[S::Scalar; N]; 2]| {
+            let along = self.system.tangential_at(end, &State { q: *q, v: *v, ..*end });
+            [metric.extent(&along.q), metric.extent(&along.v)]
+        };
         falls(self.series, [known * metric.extent(&end.q), known * metric.extent(&end.v)], along)
     }
 

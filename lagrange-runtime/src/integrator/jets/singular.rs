@@ -141,10 +141,7 @@ where
             return false;
         }
         let near = memory.state_at(near);
-        let along = |change: &State<S::Scalar, N>| {
-            let along = |change| system.tangential_at(&near, change);
-            State { q: along(&change.q), v: along(&change.v), ..*change }
-        };
+        let along = |change: &State<S::Scalar, N>| system.tangential_at(&near, change);
         let is_small = |change: &State<S::Scalar, N>| {
             check.is_half(change, time, footing) && check.is_small(&along(change), time, footing)
         };
