@@ -19,7 +19,7 @@ use crate::system::state::State;
 ///   distance of a state from the constraints changes its accelerations by the reciprocal of the distance of
 ///   the rows. The accelerations are those of the nearest state on the constraints: as good a continuation of
 ///   the equations, and a smooth one. It costs three factorisations instead of one, so it is left out where
-///   rows of holonomic constraints are only close: the check of the step's end sees the effect of poles there.
+///   rows of holonomic constraints are only close: the check of the step's end sees what poles do there.
 /// * Rows that depend on each other wherever the constraints hold are independent beside them. Together they
 ///   demand there what no motion can do. The nearest state on the constraints serves there too.
 /// * In a configuration where rows lose their independence for a moment, the accelerations are interpolated
