@@ -5,7 +5,7 @@ use super::{
     Tangent, equilibrium, inverse_dynamics, linear_model, response, sensitive,
 };
 #[cfg(feature = "std")]
-use super::{Mode, modes};
+use super::{Mode, blur, modes};
 use crate::number::real::Ordered;
 use crate::system::System;
 use crate::system::error::MotionError;
@@ -179,7 +179,8 @@ pub trait Derivatives<const N: usize, const K: usize = 0>: System<N, K> {
         Self::Scalar: Ordered + Into<f64>,
     {
         let model = linear_model::linearize(self, state, u, true)?;
-        modes::modes(&model).map_err(|cause| MotionError { cause, t: state.t })
+        let blur = blur::blur(self, state, u, &model);
+        modes::modes(&model, &blur).map_err(|cause| MotionError { cause, t: state.t })
     }
 
     /// The generalized forces that a motion with accelerations `a` needs, with all inputs at zero: M a − f,

@@ -17,7 +17,8 @@ use nalgebra::{Cholesky, Complex, DMatrix, DVector, SMatrix, SVector, SymmetricE
 use super::{Basis, LinearModel};
 use crate::number::real::{Ordered, Real};
 use crate::system::error::Cause;
-use balance::{balance, moderated};
+pub(super) use balance::balance;
+use balance::moderated;
 use spectrum::{Eigenvalue, eigenvalues, parts};
 use vectors::{eigenvector, null_vectors};
 
@@ -61,9 +62,11 @@ impl<const N: usize> Mode<N> {
     }
 }
 
-/// Eigenvalues and shapes, by frequency.
+/// Eigenvalues and shapes, by frequency. The stiffness is uncertain by the `blur` of its entries beside the
+/// rounding errors of these.
 pub(super) fn modes<R, const N: usize, const K: usize>(
     model: &LinearModel<R, N, K>,
+    blur: &SMatrix<R, N, N>,
 ) -> Result<Vec<Mode<N>>, Cause>
 where
     R: Ordered + Into<f64>,
@@ -77,7 +80,8 @@ where
     {
         return Err(Cause::NotFinite);
     }
-    let equations = SecondOrder::new(model, &mass);
+    let equations = SecondOrder::new(model, &mass, &(doubled(blur) / unit));
+    let unit = equations.as_ref().map_or(unit, |equations| unit * equations.blurred());
     // The symmetry of equations of the first order, as about a spin, is not known. So an eigenvalue counts as
     // on an axis if rounding could have moved it off.
     let is_reversible = equations.as_ref().is_none_or(|equations| equations.is_reversible(unit));
@@ -112,9 +116,11 @@ pub(super) struct Growth {
 /// the relative error `unit`.
 pub(super) fn growth<const N: usize, const K: usize>(
     model: &LinearModel<f64, N, K>,
+    blur: &SMatrix<f64, N, N>,
     unit: f64,
 ) -> Option<Growth> {
-    let equations = SecondOrder::new(model, &doubled(&model.mass));
+    let equations = SecondOrder::new(model, &doubled(&model.mass), &(doubled(blur) / unit));
+    let unit = equations.as_ref().map_or(unit, |equations| unit * equations.blurred());
     let is_reversible = equations.is_some_and(|equations| equations.is_reversible(unit));
     let order = model.order();
     let found = eigenvalues(&DMatrix::from_fn(order, order, |i, j| model.entry(i, j)), unit, is_reversible)?;
@@ -177,12 +183,19 @@ struct SecondOrder<const N: usize> {
     gyroscopic: DMatrix<f64>,
     stiffness: DMatrix<f64>,
     /// The sums of the magnitudes in K̃: the scale of the rounding errors of its entries.
+    magnitudes: DMatrix<f64>,
+    /// The same with what the numbers of the state leave open.
     sizes: DMatrix<f64>,
 }
 
 impl<const N: usize> SecondOrder<N> {
-    /// `None` if velocities are not the rates of as many displacements, or have no positive inertia.
-    fn new<R, const K: usize>(model: &LinearModel<R, N, K>, mass: &DMatrix<f64>) -> Option<Self>
+    /// `None` if velocities are not the rates of as many displacements, or have no positive inertia. `blur`
+    /// is the uncertainty of the stiffness in rounding errors.
+    fn new<R, const K: usize>(
+        model: &LinearModel<R, N, K>,
+        mass: &DMatrix<f64>,
+        blur: &DMatrix<f64>,
+    ) -> Option<Self>
     where
         R: Ordered + Into<f64>,
     {
@@ -197,13 +210,22 @@ impl<const N: usize> SecondOrder<N> {
         let shapes = lower.solve_lower_triangular(&basis.transpose())?.transpose();
         let on = |matrix: &SMatrix<R, N, N>| shapes.transpose() * doubled(matrix) * &shapes;
         let stiffness = doubled(&model.stiffness);
+        let sizes = |stiffness: DMatrix<f64>| shapes.abs().transpose() * stiffness * shapes.abs();
+        let magnitudes = sizes(stiffness.abs());
         Some(Self {
             damping: on(&model.damping),
             gyroscopic: on(&model.gyroscopic),
             stiffness: on(&model.stiffness),
-            sizes: shapes.abs().transpose() * stiffness.abs() * shapes.abs(),
+            sizes: &magnitudes + sizes(blur.clone()),
+            magnitudes,
             shapes,
         })
+    }
+
+    /// By what factor the uncertainty of the stiffness exceeds its rounding errors.
+    fn blurred(&self) -> f64 {
+        let (sizes, magnitudes) = (largest(&self.sizes), largest(&self.magnitudes));
+        if magnitudes > 0.0 { sizes / magnitudes } else { 1.0 }
     }
 
     /// Whether the motion is the same backwards, up to a reflection: forces without power and a potential.

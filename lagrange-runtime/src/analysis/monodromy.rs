@@ -9,7 +9,7 @@ use std::vec::Vec;
 
 use nalgebra::{ColPivQR, Complex, DMatrix};
 
-use super::modes::values;
+use super::modes::{balance, values};
 use super::variational::passes;
 use super::{Sensitive, Transition, Variational, VariationalMotion};
 use crate::number::real::{Ordered, Real};
@@ -101,7 +101,13 @@ where
     let mut matrix = whole(end);
     if is_constrained {
         // At the start the matrix is the projection onto the tangent space, whose trace is its rank.
-        let projection = whole(start);
+        let mut projection = whole(start);
+        // Units of time and of coordinates in which neither has entries of very different sizes.
+        let scales = balance(&mut (projection.abs() + matrix.abs()));
+        for matrix in [&mut projection, &mut matrix] {
+            let size = |i: usize, j: usize| scales[j] / scales[i];
+            *matrix = DMatrix::from_fn(2 * N, 2 * N, |i, j| matrix[(i, j)] * size(i, j));
+        }
         let rank = (projection.trace().round() as usize).min(2 * N);
         let basis = ColPivQR::new(projection).q().columns(0, rank).into_owned();
         matrix = basis.transpose() * matrix * basis;

@@ -44,7 +44,7 @@ pub(crate) fn roundings<R: Real, const N: usize>(
     let changes = |part: R| {
         let sizes = |x: &[R; N]| -> [R; N] { array(|i| part * x[i].abs()) };
         let by = State { t: part * state.t.abs(), q: sizes(&state.q), v: sizes(&state.v) };
-        let found = beside(state, &by).into_iter().map(|beside| apart(&accelerations(&beside)));
+        let found = beside(state, &by).map(|beside| apart(&accelerations(&beside)));
         found.fold([R::zero(); N], most)
     };
     let [near, far] = [R::from_f64(APART) * R::epsilon(), R::from_f64(FAR)].map(changes);

@@ -266,8 +266,8 @@ where
             q: footing.ulps_q,
             v: [num_traits::Zero::zero(); N],
         };
-        let largest = beside(state, &by).iter().fold(num_traits::Zero::zero(), |largest, beside| {
-            larger(largest, footing.metric.extent(&difference(&self.accelerations(beside), &here)))
+        let largest = beside(state, &by).fold(num_traits::Zero::zero(), |largest, beside| {
+            larger(largest, footing.metric.extent(&difference(&self.accelerations(&beside), &here)))
         });
         S::Scalar::from_f64(MARGIN) * largest
     }

@@ -6,7 +6,7 @@
 
 pub(crate) mod adaptive;
 pub(crate) mod agreement;
-mod beside;
+pub(crate) mod beside;
 pub(crate) mod dense;
 pub(crate) mod dop853;
 mod gauss;

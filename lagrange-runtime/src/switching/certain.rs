@@ -2,7 +2,7 @@
 //! numbers that tell them apart are certain.
 
 use super::choice::Choice;
-use super::scene::{Scene, Status, above, entry, put};
+use super::scene::{Scene, Status, above, entry, product, put};
 use super::trials::parts_at;
 use super::{Regime, Row, Switching};
 use crate::number::elements::Each;
@@ -27,6 +27,15 @@ where
             above(difference, part * (sizes[0][i] + sizes[1][i]))
         });
         (apart && self.are_certain(row, a) && self.are_certain(row, b)).then_some(row)
+    }
+
+    /// Whether one of two regimes has shorter reactions than the other, from which it differs in the sides of
+    /// reactions alone.
+    pub(super) fn is_shorter(&self, a: &Choice<S::Scalar, N, C, W>, b: &Choice<S::Scalar, N, C, W>) -> bool {
+        let length = |choice: &Choice<S::Scalar, N, C, W>| product(&choice.multipliers, &choice.multipliers);
+        let part = S::Scalar::epsilon().sqrt();
+        Regime { side: b.regime.side, ..a.regime } == b.regime
+            && above(length(b), length(a) + part * length(a))
     }
 
     /// Whether a contact reacts or opens by more than the threshold of a tie, and slips that begin grow by

@@ -201,7 +201,12 @@ where
                 match self.judge(parts, &trial, part, decided) {
                     Ok(()) => match &chosen {
                         None => chosen = Some(trial),
-                        Some(chosen) => other = other.or_else(|| self.differs(chosen, &trial)),
+                        Some(own) if other.is_none() => match self.differs(own, &trial) {
+                            // Shares of one load from other sides: the shortest of all are taken.
+                            None if self.is_shorter(&trial, own) => chosen = Some(trial),
+                            found => other = found,
+                        },
+                        Some(_) => {}
                     },
                     Err(constraint) => {
                         if cause == Cause::NotFinite {

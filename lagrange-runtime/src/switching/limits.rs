@@ -76,7 +76,7 @@ where
         fired: Option<Fired>,
     ) -> Option<Choice<S::Scalar, N, C, W>> {
         if fired.is_none()
-            && let Some(resting) = self.idle(chosen)
+            && let Some(resting) = self.idle(chosen).or_else(|| self.stuck(chosen, part, decided))
         {
             return Some(resting);
         }
@@ -98,6 +98,34 @@ where
         };
         let is_idle = begins.any() && (0..C).filter(|&row| begins.has(row)).all(is_rounding);
         if is_idle { self.trial(begins.held(&chosen.regime)) } else { None }
+    }
+
+    /// The same of slips in one direction, if the load has shares with which they stick. `None` where one of
+    /// them begins for a reason.
+    fn stuck(
+        &self,
+        chosen: &Choice<S::Scalar, N, C, W>,
+        part: S::Scalar,
+        decided: Option<usize>,
+    ) -> Option<Choice<S::Scalar, N, C, W>> {
+        let mut regime = chosen.regime;
+        for row in self.resting_rows(None) {
+            let is_single = matches!(S::ROWS.get(row), Some(Row::Friction { pair: None, .. }));
+            if !is_single || entry(&regime.slip, row) == S::Scalar::zero() {
+                continue;
+            }
+            let size = self.extent_of(row, &chosen.sizes.accelerations);
+            if above(self.rate(row, &chosen.accelerations).abs(), rounding::<S::Scalar>() * size) {
+                return None;
+            }
+            put(&mut regime.slip, row, S::Scalar::zero());
+            put(&mut regime.active, row, true);
+        }
+        if regime == chosen.regime {
+            return None;
+        }
+        let trial = self.trial(regime)?;
+        self.judge(&Part::all(&S::ROWS, &regime), &trial, part, decided).is_ok().then_some(trial)
     }
 
     /// The regime to which loads lead that grow in proportion, with contacts as in the chosen one: one

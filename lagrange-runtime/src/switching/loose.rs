@@ -3,11 +3,12 @@
 //! At the limit of all possible shares nothing accelerates yet, and no force tells which of the frictions
 //! slip then. How the load goes on does.
 
-use super::choice::Choice;
+use super::choice::{Choice, is_limit};
 use super::growing::{Grown, TRIES};
 use super::known::Known;
 use super::scales::Scales;
 use super::scene::{Scene, Status, above, entry};
+use super::trials::{Options, Part, combine};
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
 use crate::number::elements::{Each, array};
@@ -35,6 +36,9 @@ where
         scales: &Scales<S::Scalar, C>,
     ) -> Result<Next<S::Scalar, N, C, W>, Cause> {
         if let Some(stuck) = fired.and_then(|row| self.sharing(present, row)) {
+            if let Some(turned) = self.from_other_sides(&stuck) {
+                return Ok((turned, None));
+            }
             if let Some(grown) = self.loosened(&stuck, scales) {
                 return Ok((stuck, Some(grown)));
             }
@@ -55,6 +59,37 @@ where
         let equations = S::equations_in(&self.system.in_regime(present), *t, q, v, self.inputs)?;
         let is_shared = is_shared(&S::ROWS, &equations.saddle, &equations.gradients, row);
         if is_shared { self.trial(*present) } else { None }
+    }
+
+    /// The same with reactions from other sides of constraints that limit frictions, if these share the load
+    /// with some margin. The shares of each choice of sides are a convex set, and its last ones need not be
+    /// the last of all.
+    #[cold]
+    fn from_other_sides(&self, stuck: &Choice<S::Scalar, N, C, W>) -> Option<Choice<S::Scalar, N, C, W>> {
+        let own = Part::all(&S::ROWS, &stuck.regime);
+        let has_sides = |row: usize| S::ROWS[row] == Row::Bilateral && is_limit(&S::ROWS, row);
+        let options = array(|row| match (has_sides(row), own[row]) {
+            (true, Part::On) => Options::new(&[Part::On, Part::Against]),
+            (true, Part::Against) => Options::new(&[Part::Against, Part::On]),
+            (_, part) => Options::new(&[part]),
+        });
+        let mut found = None;
+        combine(&options, &[1; C], |parts| {
+            let mut regime = stuck.regime;
+            for (side, (part, own)) in regime.side.iter_mut().zip(parts.iter().zip(&own)) {
+                if part != own {
+                    *side = -*side;
+                }
+            }
+            if regime != stuck.regime {
+                found = self.trial(regime).filter(|trial| {
+                    let drags = self.drags(&trial.regime, &self.state.v);
+                    self.can_share(&trial.regime, &drags, &trial.multipliers)
+                });
+            }
+            found.is_some()
+        });
+        found
     }
 
     /// The regime in which frictions slip, or contacts open, that have shared a load until now: that of the

@@ -137,26 +137,45 @@ where
         Ok(Some(Event::cut(state)))
     }
 
-    /// Which bounds of a slip may be zero up to a part of the step: at a few places they change by as much as
-    /// they are. A force that oscillates between these places makes steps shorter.
-    #[inline(never)]
+    /// Which bounds of a slip may be zero up to a part of the step: between two of a few places they change
+    /// by as much as they are. A force that oscillates between these places makes steps shorter.
     fn doubtful(&mut self, row: usize, until: S::Scalar) -> Result<[bool; 2], Cause> {
-        let mut least = self.bounds_at(row, num_traits::Zero::zero())?;
-        let mut largest = least;
-        for place in PLACES {
+        // Where they change by half of that at most, every second place is enough.
+        let doubtful = self.doubtful_at(row, until, PLACES.iter().skip(1).step_by(2), 2.0)?;
+        if doubtful == [false; 2] {
+            return Ok(doubtful);
+        }
+        self.doubtful_at(row, until, PLACES.iter(), 1.0)
+    }
+
+    /// The same at these places, where changes count so often.
+    #[inline(never)]
+    fn doubtful_at(
+        &mut self,
+        row: usize,
+        until: S::Scalar,
+        places: impl Iterator<Item = &'static f64>,
+        times: f64,
+    ) -> Result<[bool; 2], Cause> {
+        let none: S::Scalar = num_traits::Zero::zero();
+        let first = self.bounds_at(row, none)?;
+        let (mut last, mut least, mut most) = (first, first, [none; 2]);
+        for &place in places {
             let bounds = self.bounds_at(row, S::Scalar::from_f64(place) * until)?;
-            for ((least, largest), bound) in least.iter_mut().zip(&mut largest).zip(bounds) {
+            let known = least.iter_mut().zip(&mut most).zip(last.iter().zip(&bounds));
+            for ((least, most), (&last, &bound)) in known {
                 if !bound.is_finite() {
                     return Err(Cause::NotFinite);
                 }
-                (*least, *largest) = (smaller(*least, bound), larger(*largest, bound));
+                (*least, *most) = (smaller(*least, bound), larger(*most, (bound - last).abs()));
             }
+            last = bounds;
         }
         // Where the coefficient at rest is that of the slip, the second bound is zero everywhere.
-        Ok(array(|which| {
-            let (least, spread) = (least[which], largest[which] - least[which]);
-            least < num_traits::Zero::zero() || least <= spread && spread > num_traits::Zero::zero()
-        }))
+        let may_vanish = |least: S::Scalar, change: S::Scalar| {
+            least < none || least <= S::Scalar::from_f64(times) * change && change > none
+        };
+        Ok(array(|which| may_vanish(least[which], most[which])))
     }
 
     /// The part of the step, up to `until`, after which a bound of a slip is below zero by more than its

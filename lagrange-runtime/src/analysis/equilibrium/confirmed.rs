@@ -12,8 +12,11 @@ use super::curvature::Curvature;
 use super::newton::Search;
 use super::statics::{Rest, Statics, dot, length};
 use crate::analysis::Tangent;
-use crate::number::elements::array;
+use crate::analysis::blur::ulps;
+use crate::integrator::beside::beside;
+use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger};
+use crate::system::state::State;
 
 /// The points at which a distance is tried, in units of it.
 const PLACES: [f64; 4] = [1.0, -1.0, 2.0, -2.0];
@@ -54,13 +57,13 @@ where
         direction: usize,
     ) -> bool {
         let value = curvature.values[direction];
-        if value.abs() <= curvature.rounding {
-            return false;
-        }
         let (number, slope) = (S::Scalar::from_f64, rest.unit * value);
         let vector = curvature.vectors[direction];
-        let step = rest.length * (dot(&vector, &rest.forces) / value).abs();
         let z = rest.motions.combined(&vector);
+        if value.abs() <= curvature.rounding || slope.abs() <= self.blur(rest, &z) {
+            return false;
+        }
+        let step = rest.length * (dot(&vector, &rest.forces) / value).abs();
         let ([place, _], here) = (self.along(rest, search, &z), dot(&z, &rest.left));
         let mut distance = larger(number(2.0) * step, S::Scalar::epsilon() * place);
         loop {
@@ -75,6 +78,19 @@ where
             }
             distance *= number(4.0);
         }
+    }
+
+    /// The uncertainty of the curvature along a direction by the last digits of the coordinates: a bound of
+    /// 16 N times what an ulp of them changes, as for the magnitudes of its summands.
+    fn blur(&self, rest: &Rest<S::Scalar, N, C>, z: &[S::Scalar; N]) -> S::Scalar {
+        let here = State::at_rest(rest.q);
+        let along = |q: &[S::Scalar; N]| {
+            let by_q = self.variation(q, &rest.multipliers).by_q;
+            dot(z, &by_q.each_ref().each(|row| -dot(row, z)))
+        };
+        let (share, value) = (S::Scalar::from_f64(16.0 * rest.motions.count as f64), along(&rest.q));
+        let changes = beside(&here, &ulps(&here)).map(|there| (along(&there.q) - value).abs());
+        share * changes.fold(S::Scalar::zero(), larger)
     }
 
     /// The place along a direction, and how far the search has reached in it. Other coordinates may be

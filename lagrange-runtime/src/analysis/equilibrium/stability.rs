@@ -122,13 +122,14 @@ where
     /// potential falls.
     #[cfg(feature = "std")]
     fn by_eigenvalues(&self, rest: &Rest<S::Scalar, N, C>, down: Option<usize>) -> Stability {
-        use crate::analysis::{linear_model, modes};
+        use crate::analysis::{blur, linear_model, modes};
         use crate::system::state::State;
         let state = State::at_rest(rest.q).at_time(self.t);
         let Ok(model) = linear_model::linearize(self.system, &state, self.u, false) else {
             return Stability::Undecided;
         };
-        let found = modes::growth(&model.map(modes::double), modes::double(S::Scalar::epsilon()));
+        let blur = blur::blur(self.system, &state, self.u, &model).map(modes::double);
+        let found = modes::growth(&model.map(modes::double), &blur, modes::double(S::Scalar::epsilon()));
         let Some(modes::Growth { growing, still }) = found else { return Stability::Undecided };
         match (growing, still, down) {
             (1.., _, _) => Stability::Unstable { directions: growing },

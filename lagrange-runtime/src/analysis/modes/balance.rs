@@ -21,7 +21,7 @@ const GAIN: f64 = 0.95;
 const POWERS: f64 = 512.0;
 
 /// Balances a matrix, and gives the diagonal D of D⁻¹ A D.
-pub(super) fn balance(matrix: &mut DMatrix<f64>) -> DVector<f64> {
+pub(in crate::analysis) fn balance(matrix: &mut DMatrix<f64>) -> DVector<f64> {
     let count = matrix.nrows();
     let mut scales = DVector::from_element(count, 1.0);
     for _ in 0..SWEEPS {
