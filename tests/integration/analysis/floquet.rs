@@ -1,5 +1,7 @@
 //! Floquet multipliers: Mathieu's equation, the figure-eight orbit, a whirling support.
 
+use std::f64::consts::TAU;
+
 use lagrangian::{Dual, prelude::*};
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -265,5 +267,55 @@ fn a_shaken_support_holds_a_pendulum_upright() {
         // Liouville: the product is exp(∫ trace) with damping c/m = 0.1.
         let product = by_angle.multipliers[0] * by_angle.multipliers[1];
         close(product.re, (-0.1 * period).exp(), 1e-13);
+    }
+}
+
+/// A bob on a rod, in space.
+struct Conical {
+    length: f64,
+    gravity: f64,
+}
+
+#[lagrangian(coordinates = [x, y, z], jacobians)]
+impl Conical {
+    #[point(mass = 1.0)]
+    fn bob(&self, q: &Coordinates) -> Vector3<f64> {
+        Vector3::new(q.x, q.y, q.z)
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        self.gravity * q.z
+    }
+
+    #[holonomic]
+    fn rod(&self, q: &Coordinates) -> f64 {
+        self.bob(q).norm() - self.length
+    }
+}
+
+#[test]
+fn multipliers_under_constraints_have_no_units() {
+    // A conical pendulum at the angle θ has multipliers 1, 1 and exp(±2πi √(1 + 3 cos²θ)).
+    let angle = 0.9_f64;
+    let turn = TAU * (1.0 + 3.0 * angle.cos().powi(2)).sqrt();
+    for second in [1.0, 1e3, 1e-3, 1e9, 1e-9, 1e15, 1e-15] {
+        for metre in [1.0, 1e-9, 1e12] {
+            let (length, gravity) = (1.3 * metre, 9.81 * metre / (second * second));
+            let rate = (gravity / (length * angle.cos())).sqrt();
+            let speed = rate * length * angle.sin();
+            let state = State::new([length * angle.sin(), 0.0, -length * angle.cos()], [0.0, speed, 0.0]);
+            let pendulum = Conical { length, gravity };
+            let start = pendulum.consistent(state).unwrap();
+            let found = pendulum.variational().monodromy(start, TAU / rate).unwrap().multipliers;
+            for sign in [1.0, -1.0] {
+                let expected = Complex::new(turn.cos(), sign * turn.sin());
+                let nearest = found.iter().map(|x| (x - expected).norm()).fold(f64::INFINITY, f64::min);
+                assert!(nearest < 1e-13, "{second:e} {metre:e}: {found:?}");
+            }
+            // Equal multipliers are uncertain by the root of a rounding.
+            let ones = found.iter().filter(|x| (*x - 1.0).norm() < 1e-6).count();
+            assert_eq!(ones, 2, "{second:e} {metre:e}: {found:?}");
+        }
     }
 }

@@ -13,6 +13,7 @@ mod corners;
 mod crates;
 mod dead_centres;
 mod directions;
+mod drums;
 mod edges;
 mod fading;
 mod feet;
