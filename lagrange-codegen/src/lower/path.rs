@@ -123,7 +123,8 @@ impl<'a> Interpreter<'a> {
         match (&value, &ty.kind) {
             (Value::Unknown, _) => Value::Unknown,
             (Value::Integer(integer, _), TypeKind::Scalar) => {
-                Value::Scalar(self.graph().integer(*integer), Rounded::integer(*integer))
+                let number = Number::cast(*integer, matches!(self.item.scalar, Scalar::F32));
+                Value::Scalar(self.graph().constant(number), Rounded::integer(*integer))
             }
             (Value::Scalar(..), TypeKind::Scalar) => value,
             (Value::Integer(integer, _), TypeKind::Integer(types)) => match types.cast(*integer) {
