@@ -164,6 +164,14 @@ impl<'a> Interpreter<'a> {
                 let path = self.taken_for_scalar(scalar).unwrap_or_default();
                 catalogue::taken_for_scalar(path, other.describe())
             }
+            (BinaryOperator::Add | BinaryOperator::Subtract, Value::Rotation(_), _)
+            | (BinaryOperator::Multiply, Value::Rotation(_), Value::Scalar(..)) => {
+                catalogue::rotation_among_matrices(a)
+            }
+            (BinaryOperator::Add | BinaryOperator::Subtract, _, Value::Rotation(_))
+            | (BinaryOperator::Multiply, Value::Scalar(..), Value::Rotation(_)) => {
+                catalogue::rotation_among_matrices(b)
+            }
             (BinaryOperator::Add, ..) => catalogue::cannot_add(b, a),
             (BinaryOperator::Subtract, ..) => catalogue::cannot_subtract(b, a),
             (BinaryOperator::Multiply, ..) => catalogue::cannot_multiply(a, b),
