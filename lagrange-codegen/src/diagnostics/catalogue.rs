@@ -327,6 +327,8 @@ messages! {
     remainder() = "`%` jumps, so it has no derivative; use a trigonometric function for what repeats itself, or for \
         parameters a field with the remainder";
     not_smooth(name, alternative) = "`{name}` has no derivative everywhere; {alternative}";
+    rounding_jumps(name) = "`{name}` of this constant is not known to the macro, since it jumps where rounding decides; write its \
+        value as a number";
     bad_power(most) = "`powi` needs a constant integer between -{most} and {most}; use `powf` for other powers";
     branch_on_variable(on, what) = "the branch depends on {on}: {what} is one expression, or several joined by `if` with \
         `<`, `<=`, `>` or `>=` between numbers, also under `&&`, `||` and `!`; decide on constants only, compare in that \

@@ -101,6 +101,11 @@ impl<'a> Interpreter<'a> {
                 None => self.refuse(origin, catalogue::integer_overflow()),
             };
         }
+        if let (BinaryOperator::Remainder, Value::Scalar(node, rounded)) = (operator, &left)
+            && let Some(value) = self.jump("%", (*node, *rounded), std::slice::from_ref(&right), origin)
+        {
+            return value;
+        }
         if let (Value::Scalar(_, first), Value::Scalar(_, second)) = (&left, &right)
             && !is_comparison(operator)
         {
