@@ -1,7 +1,8 @@
 //! A type of nalgebra under another name.
 
-use lagrangian::prelude::Vector2 as V;
 use lagrangian::prelude::*;
+
+pub type V = Vector2<f64>;
 
 pub struct Block {
     pub mass: f64,

@@ -1,4 +1,4 @@
-//! A condition on the state that becomes a number by a conversion and by casts.
+//! A condition on the state that becomes a number by a conversion.
 
 use lagrangian::prelude::*;
 
@@ -16,7 +16,7 @@ impl Block {
 
     #[potential]
     fn spring(&self, q: &Coordinates) -> f64 {
-        self.stiffness * (f64::from(q.x > 0.0) * q.x + (q.y > 0.0) as u8 as f64 * q.y)
+        self.stiffness * f64::from(q.x > 0.0) * q.x
     }
 }
 

@@ -1,4 +1,4 @@
-//! Entries of a rotation that `into_inner` took for a matrix.
+//! An entry of the matrix of a rotation.
 
 use lagrangian::prelude::*;
 
@@ -17,8 +17,7 @@ impl Block {
     #[potential]
     fn spring(&self, q: &Coordinates) -> f64 {
         let turned = Rotation3::from_axis_angle(&Vector3::y_axis(), q.x).into_inner();
-        let doubled = turned * 2.0;
-        self.stiffness * (turned.m31 + turned.trace() + doubled.m11)
+        self.stiffness * turned.m31
     }
 }
 
