@@ -538,8 +538,8 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
         fn tangential_at(
             &self,
             state: &lagrange::State<f64, 2>,
-            change: &[f64; 2],
-        ) -> [f64; 2] {
+            change: &lagrange::State<f64, 2>,
+        ) -> lagrange::State<f64, 2> {
             lagrange::constraints::tangential::<Self, 2, 0, 1>(self, state, change)
         }
         #[inline]

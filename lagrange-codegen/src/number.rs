@@ -36,6 +36,13 @@ impl Number {
         if value == i128::MIN { Number::Float(value as f64, 0.0) } else { Number::Ratio(value, 1) }
     }
 
+    /// `value as f64`, or `value as f32`: an integer of more digits than these have is rounded, as by Rust.
+    pub fn cast(value: i128, single: bool) -> Number {
+        let float = if single { f64::from(value as f32) } else { value as f64 };
+        // 2¹²⁷, to which the largest integers are rounded, is none of them.
+        if float >= -(i128::MIN as f64) { Number::Float(float, 0.0) } else { Number::integer(float as i128) }
+    }
+
     /// A quotient of integers; `None` for a zero denominator, and where an integer cannot change its sign.
     pub fn ratio(numerator: i128, denominator: i128) -> Option<Number> {
         if denominator == 0 || numerator == i128::MIN || denominator == i128::MIN {
@@ -301,6 +308,31 @@ mod tests {
         {
             let expected: f64 = literal.parse().unwrap();
             assert_eq!(Number::parse(literal).unwrap().value().to_bits(), expected.to_bits(), "{literal}");
+        }
+    }
+
+    #[test]
+    fn casts_round_to_the_nearest_float_and_halves_to_even() {
+        let double = 1_i128 << 53;
+        let single = 1_i128 << 24;
+        for sign in [1, -1] {
+            for (value, expected) in [(double - 1, -1), (double + 1, 0), (double + 2, 2), (double + 3, 4)] {
+                let expected = Number::integer(sign * (double + expected));
+                assert_eq!(Number::cast(sign * value, false), expected, "{value}");
+            }
+            for (value, expected) in [(single - 1, -1), (single + 1, 0), (single + 2, 2), (single + 3, 4)] {
+                let expected = Number::integer(sign * (single + expected));
+                assert_eq!(Number::cast(sign * value, true), expected, "{value}");
+                assert_eq!(Number::cast(sign * value, false), Number::integer(sign * value));
+            }
+        }
+        // Beside a half a double would round twice.
+        let beside = (1_i128 << 60) + (1 << 36) + 1;
+        assert_eq!(Number::cast(beside, true).value(), f64::from(beside as f32));
+        assert_ne!(Number::cast(beside, true).value(), f64::from(beside as f64 as f32));
+        for value in [i128::MIN, i128::MIN + 1, i128::MAX, i128::MAX - 1, 123_456_789_012_345_678] {
+            assert_eq!(Number::cast(value, false).parts(), (value as f64, 0.0), "{value}");
+            assert_eq!(Number::cast(value, true).parts(), (f64::from(value as f32), 0.0), "{value}");
         }
     }
 

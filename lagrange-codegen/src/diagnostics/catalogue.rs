@@ -214,6 +214,10 @@ messages! {
     unknown_field(value, name) = "{value} has no field `{name}`; use a component or a method it has";
     unknown_method(value, name; near) = "{value} has no method `{name}` that the macro knows{near}; write \
         it out, or put it into a function of this impl block";
+    rotation_as_matrix(rotation, what) = "{rotation} counts as no matrix, also after `into_inner`; name its matrix, as in \
+        `rotation.matrix().{what}`";
+    rotation_among_matrices(rotation) = "{rotation} counts as no matrix, also after `into_inner`; name its matrix, as in \
+        `*rotation.matrix()`";
     array_as_vector(array, name) = "{array} has no method `{name}`; make a vector of it, as by `Vector2::from(…)`";
     field_called(name) = "`{name}` is a field, not a method; remove the parentheses";
     unknown_function(name; near) = "there is no function `{name}` that the macro knows{near}; only functions \
@@ -222,6 +226,8 @@ messages! {
         this impl block can be inlined";
     free_function(name) = "only functions of this impl block can be inlined; move `{name}` in as an \
         associated function and call it by `Self::`, or make its value a field";
+    unknown_type(path) = "the macro does not know the type in `{path}`; give a type of nalgebra its own name, as in \
+        `Vector3::new(…)`, or move a function of your own in as an associated function and call it by `Self::`";
     function_elsewhere(name, call) = "there is no function `{name}` in this impl block; did you mean `{call}`? Move a \
         function of your own in as an associated function and call it by `Self::{name}(…)`";
     foreign_value(name) = "`{name}(…)` makes a value that has no part in an equation; write the number, the vector or \
@@ -262,6 +268,8 @@ messages! {
         `.cross(…)` or `.component_mul(…)`";
     cannot_divide(left, right) = "{left} cannot be divided by {right}; divide by a scalar";
     cannot_compare(left, right) = "{left} cannot be compared with {right}; compare constants of one type";
+    conditions_compared(operator, joined) = "conditions known at run time cannot be compared; for `a {operator} b` write \
+        `{joined}`";
     cannot_index(value) = "{value} cannot be indexed like this; use an element of an array or a component \
         of a vector";
     bad_operand(operator, value) = "`{operator}` cannot be applied to {value}; apply it to numbers";
@@ -294,6 +302,8 @@ messages! {
         of them, or integers";
     width_decides() = "the width of the target decides what becomes of this integer; use a type of fixed width";
     bad_cast(value) = "{value} cannot be cast like this; cast integers with `as f64`";
+    condition_as_number(holds, fails) = "a condition known at run time does not convert to a number; write \
+        `if condition {{ {holds} }} else {{ {fails} }}`";
     conversion_of_variable(function) = "`{function}` converts constants only; this depends on the state";
     conversion_of_formula(function) = "`{function}` converts one constant or field; convert each by itself \
         and compute with the results";
@@ -317,6 +327,8 @@ messages! {
     remainder() = "`%` jumps, so it has no derivative; use a trigonometric function for what repeats itself, or for \
         parameters a field with the remainder";
     not_smooth(name, alternative) = "`{name}` has no derivative everywhere; {alternative}";
+    rounding_jumps(name) = "`{name}` of this constant is not known to the macro, since it jumps where rounding decides; write its \
+        value as a number";
     bad_power(most) = "`powi` needs a constant integer between -{most} and {most}; use `powf` for other powers";
     branch_on_variable(on, what) = "the branch depends on {on}: {what} is one expression, or several joined by `if` with \
         `<`, `<=`, `>` or `>=` between numbers, also under `&&`, `||` and `!`; decide on constants only, compare in that \

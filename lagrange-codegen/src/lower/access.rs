@@ -81,6 +81,12 @@ impl<'a> Interpreter<'a> {
     }
 
     fn unknown_field(&mut self, base: &Value, word: &Word) -> Value {
+        if let (Value::Rotation(_), Some([b'1'..=b'3', b'1'..=b'3'])) =
+            (base, word.name.strip_prefix('m').map(str::as_bytes))
+        {
+            let message = catalogue::rotation_as_matrix(base.describe(), &word.name);
+            return self.refuse(word.origin, message);
+        }
         self.refuse(word.origin, catalogue::unknown_field(base.describe(), &word.name))
     }
 

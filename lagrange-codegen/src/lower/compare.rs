@@ -49,6 +49,16 @@ impl Interpreter<'_> {
                 let on = format!("the parameter `{text}`");
                 return self.refuse(origin, catalogue::branch_on_variable(on, self.smooth_thing()));
             }
+            (Value::Choice(_), Value::Choice(_) | Value::Boolean(_))
+            | (Value::Boolean(_), Value::Choice(_))
+                if matches!(operator, BinaryOperator::Equal | BinaryOperator::NotEqual) =>
+            {
+                let (sign, joined) = match operator {
+                    BinaryOperator::Equal => ("==", "(a && b) || (!a && !b)"),
+                    _ => ("!=", "(a && !b) || (!a && b)"),
+                };
+                return self.refuse(origin, catalogue::conditions_compared(sign, joined));
+            }
             _ => return self.mismatch(operator, &left, &right, origin),
         };
         Value::Boolean(verdict)

@@ -110,6 +110,9 @@ impl<'a> Interpreter<'a> {
         {
             return self.refuse(word.origin, catalogue::array_as_vector(receiver.describe(), &word.name));
         }
+        if let (Value::Rotation(_), Some(call)) = (receiver, methods::of_matrices_alone(&word.name)) {
+            return self.refuse(word.origin, catalogue::rotation_as_matrix(receiver.describe(), call));
+        }
         let known = methods::of(receiver);
         let near = in_rust(&word.name, known).map(|methods| methods.join("` or `"));
         let near = near.or_else(|| nearest(&word.name, known.iter().copied()).map(String::from));

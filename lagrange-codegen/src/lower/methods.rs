@@ -113,6 +113,15 @@ pub(super) fn is_of_vectors(name: &str) -> bool {
     VECTOR.contains(&name) || MATRIX.contains(&name)
 }
 
+/// The call of a method of matrices that rotations and quaternions do not have.
+pub(super) fn of_matrices_alone(name: &str) -> Option<String> {
+    if !MATRIX.contains(&name) || ROTATION.contains(&name) || quaternion::METHODS.contains(&name) {
+        return None;
+    }
+    let has_arguments = matches!(name, "row" | "column" | "tr_mul" | "component_mul" | "scale" | "map");
+    Some(format!("{name}({})", if has_arguments { "…" } else { "" }))
+}
+
 /// Whether a name is that of a method of rotations or poses.
 pub(super) fn is_of_rotations(name: &str) -> bool {
     ROTATION.contains(&name) || POSE.contains(&name)

@@ -22,6 +22,7 @@ mod guarded;
 mod hint;
 mod interpreter;
 mod iterate;
+mod jumps;
 mod lengths;
 mod method;
 mod methods;

@@ -101,6 +101,11 @@ impl<'a> Interpreter<'a> {
                 None => self.refuse(origin, catalogue::integer_overflow()),
             };
         }
+        if let (BinaryOperator::Remainder, Value::Scalar(node, rounded)) = (operator, &left)
+            && let Some(value) = self.jump("%", (*node, *rounded), std::slice::from_ref(&right), origin)
+        {
+            return value;
+        }
         if let (Value::Scalar(_, first), Value::Scalar(_, second)) = (&left, &right)
             && !is_comparison(operator)
         {
@@ -163,6 +168,14 @@ impl<'a> Interpreter<'a> {
             {
                 let path = self.taken_for_scalar(scalar).unwrap_or_default();
                 catalogue::taken_for_scalar(path, other.describe())
+            }
+            (BinaryOperator::Add | BinaryOperator::Subtract, Value::Rotation(_), _)
+            | (BinaryOperator::Multiply, Value::Rotation(_), Value::Scalar(..)) => {
+                catalogue::rotation_among_matrices(a)
+            }
+            (BinaryOperator::Add | BinaryOperator::Subtract, _, Value::Rotation(_))
+            | (BinaryOperator::Multiply, Value::Scalar(..), Value::Rotation(_)) => {
+                catalogue::rotation_among_matrices(b)
             }
             (BinaryOperator::Add, ..) => catalogue::cannot_add(b, a),
             (BinaryOperator::Subtract, ..) => catalogue::cannot_subtract(b, a),

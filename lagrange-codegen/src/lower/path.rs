@@ -1,5 +1,6 @@
 //! Names and paths: variables, constants, and what lies outside the macro's sight.
 
+use super::construct::CONSTRUCTORS;
 use super::interpreter::Interpreter;
 use super::rounded::Rounded;
 use super::scalar;
@@ -123,7 +124,8 @@ impl<'a> Interpreter<'a> {
         match (&value, &ty.kind) {
             (Value::Unknown, _) => Value::Unknown,
             (Value::Integer(integer, _), TypeKind::Scalar) => {
-                Value::Scalar(self.graph().integer(*integer), Rounded::integer(*integer))
+                let number = Number::cast(*integer, matches!(self.item.scalar, Scalar::F32));
+                Value::Scalar(self.graph().constant(number), Rounded::integer(*integer))
             }
             (Value::Scalar(..), TypeKind::Scalar) => value,
             (Value::Integer(integer, _), TypeKind::Integer(types)) => match types.cast(*integer) {
@@ -147,6 +149,7 @@ impl<'a> Interpreter<'a> {
                 let label = self.parameters.label(*id).to_string();
                 Value::Parameter(self.parameters.intern(text, label, origin))
             }
+            (Value::Choice(_), TypeKind::Scalar | TypeKind::Integer(_)) => self.condition_as_number(origin),
             (_, TypeKind::OtherFloat) => {
                 let scalar = self.item.scalar.to_string();
                 self.refuse(origin, catalogue::other_precision(scalar))
@@ -244,6 +247,10 @@ impl<'a> Interpreter<'a> {
                     let name = name.to_string();
                     self.first_method(arguments, &word, &name, origin)
                 }
+                // A type of nalgebra under a name that a `use` or a `type` outside the block gave it.
+                (owner, name) if owner.starts_with(char::is_uppercase) && CONSTRUCTORS.contains(&name) => {
+                    self.refuse(path.origin, catalogue::unknown_type(&path.text))
+                }
                 _ => self.refuse(path.origin, catalogue::free_function(&path.text)),
             },
         }
@@ -321,8 +328,22 @@ impl<'a> Interpreter<'a> {
                 }
                 Value::Scalar(node, if generic { rounded.converted() } else { rounded })
             }
+            Value::Boolean(truth) => {
+                let number = i128::from(truth);
+                Value::Scalar(self.graph().integer(number), Rounded::integer(number))
+            }
+            Value::Choice(_) => self.condition_as_number(origin),
             other => self.refuse(origin, catalogue::wrong_shape("a scalar", other.describe())),
         }
+    }
+
+    /// Refuses the conversion of a condition on the state, which is no number in the language.
+    fn condition_as_number(&mut self, origin: Origin) -> Value {
+        let [one, zero] = match &self.item.scalar {
+            Scalar::Generic(name) => [format!("{name}::one()"), format!("{name}::zero()")],
+            Scalar::F32 | Scalar::F64 => ["1.0".to_string(), "0.0".to_string()],
+        };
+        self.refuse(origin, catalogue::condition_as_number(one, zero))
     }
 
     /// The path of the crate that generated code names, as text.

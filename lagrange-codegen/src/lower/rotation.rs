@@ -175,7 +175,11 @@ impl Interpreter<'_> {
 
     fn cannot_turn(&mut self, turn: &Turn, value: &Value, origin: Origin) -> Value {
         let turn = Value::Rotation(turn.clone());
-        self.refuse(origin, catalogue::cannot_multiply(turn.describe(), value.describe()))
+        let message = match value {
+            Value::Scalar(..) => catalogue::rotation_among_matrices(turn.describe()),
+            _ => catalogue::cannot_multiply(turn.describe(), value.describe()),
+        };
+        self.refuse(origin, message)
     }
 
     /// `isometry * value`: points are shifted, vectors only turned.

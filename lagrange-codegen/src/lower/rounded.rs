@@ -82,6 +82,7 @@ impl Rounded {
             BinaryOperator::Subtract => self.zip(other, |a, b| a - b, |a, b| a - b),
             BinaryOperator::Multiply => self.zip(other, |a, b| a * b, |a, b| a * b),
             BinaryOperator::Divide => self.zip(other, |a, b| a / b, |a, b| a / b),
+            BinaryOperator::Remainder => self.function("%", &[other]),
             _ => Rounded::UNKNOWN,
         }
     }
@@ -96,9 +97,40 @@ impl Rounded {
             ("ceil", []) => self.map(f64::ceil, f32::ceil),
             ("round", []) => self.map(f64::round, f32::round),
             ("trunc", []) => self.map(f64::trunc, f32::trunc),
+            ("fract", []) => self.map(f64::fract, f32::fract),
+            ("signum", []) => self.map(f64::signum, f32::signum),
+            ("%", [other]) => self.zip(*other, |a, b| a % b, |a, b| a % b),
+            ("rem_euclid", [other]) => self.zip(*other, f64::rem_euclid, f32::rem_euclid),
+            ("div_euclid", [other]) => self.zip(*other, f64::div_euclid, f32::div_euclid),
+            ("copysign", [other]) => self.zip(*other, f64::copysign, f32::copysign),
             ("min", [other]) => self.zip(*other, f64::min, f32::min),
             ("max", [other]) => self.zip(*other, f64::max, f32::max),
             _ => Rounded::UNKNOWN,
+        }
+    }
+
+    /// The whole number that decides a function that jumps: the value of `floor`, how often b fits into a for
+    /// `a % b`, the sign of b for `a.copysign(b)`.
+    pub fn whole(self, name: &str, others: &[Rounded]) -> Rounded {
+        // A remainder has no rounding error, or one that is small beside `b`: what it leaves of `a` is a
+        // multiple of `b`.
+        let times = |a: f64, b: f64, remainder: f64| ((a - remainder) / b).round();
+        let as_single = |whole: f64| Some(whole as f32).filter(|single| f64::from(*single) == whole);
+        match (name, others) {
+            ("fract", []) => self.function("trunc", &[]),
+            ("%", [other]) | ("rem_euclid", [other]) => {
+                let remainder = self.function(name, &[*other]);
+                let double = self.double.zip(other.double).zip(remainder.double);
+                let single = self.single.zip(other.single).zip(remainder.single);
+                Rounded {
+                    double: double.map(|((a, b), remainder)| times(a, b, remainder)),
+                    single: single.and_then(|((a, b), remainder)| {
+                        as_single(times(a.into(), b.into(), remainder.into()))
+                    }),
+                }
+            }
+            ("copysign", [other]) => other.function("signum", &[]),
+            _ => self.function(name, others),
         }
     }
 

@@ -67,9 +67,6 @@ pub const REFUSED: [&str; 11] = [
     "total_cmp",
 ];
 
-/// Up to here doubles hold all whole numbers.
-const LARGEST_EXACT: f64 = 9_007_199_254_740_992.0;
-
 /// Larger whole powers are hardly meant, and exact constants would take forever.
 pub const LARGEST_POWER: u128 = 1024;
 
@@ -83,6 +80,12 @@ impl Interpreter<'_> {
         origin: Origin,
     ) -> Value {
         let name = &*word.name;
+        if let Some(value) = self.jump(name, (node, rounded), &arguments, word.origin) {
+            return value;
+        }
+        if REFUSED.contains(&name) {
+            return self.refuse(word.origin, catalogue::not_smooth(name, alternative(name)));
+        }
         let constants: Option<Vec<Rounded>> = arguments
             .iter()
             .map(|argument| match argument {
@@ -90,18 +93,7 @@ impl Interpreter<'_> {
                 _ => None,
             })
             .collect();
-        let rounded = constants.map_or(Rounded::UNKNOWN, |others| rounded.function(name, &others));
-        // Of constants these are whole numbers, which need no derivative.
-        if let ("floor" | "ceil" | "round" | "trunc", []) = (name, arguments.as_slice())
-            && self.model.graph.dependence(node) == Dependence::NONE
-            && let Some(value) = rounded.value(&self.item.scalar)
-            && value.abs() <= LARGEST_EXACT
-        {
-            return Value::Scalar(self.graph().integer(value as i128), rounded);
-        }
-        if REFUSED.contains(&name) {
-            return self.refuse(word.origin, catalogue::not_smooth(name, alternative(name)));
-        }
+        let of_constants = constants.map_or(Rounded::UNKNOWN, |others| rounded.function(name, &others));
         let value = match name {
             "powi" => self.whole_power(node, word, arguments, origin),
             "sin_cos" | "sinh_cosh" => {
@@ -160,7 +152,7 @@ impl Interpreter<'_> {
         };
         match value {
             Some(node) if self.model.graph.dependence(node) == Dependence::NONE => {
-                Value::Scalar(node, rounded)
+                Value::Scalar(node, of_constants)
             }
             Some(node) => Value::scalar(node),
             None => Value::Unknown,

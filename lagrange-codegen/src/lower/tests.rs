@@ -3,6 +3,7 @@
 mod branches;
 mod constraints;
 mod form;
+mod jumps;
 mod language;
 mod meaning;
 mod mechanisms;

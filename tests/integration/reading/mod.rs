@@ -3,4 +3,5 @@
 
 #[cfg(debug_assertions)]
 mod caught;
+mod constants;
 mod read;

@@ -84,6 +84,14 @@ fn names() {
     );
     body(quote!(self.helpr(q.x)), "there is no function `helpr` in this impl block; did you mean `helper`?");
     body(quote!(foo(q.x)), "only functions of this impl block can be inlined; move `foo` in ");
+    body(
+        quote!(V::new(q.x, 0.0).x),
+        "the macro does not know the type in `V::new`; give a type of nalgebra ",
+    );
+    body(
+        quote!(Spring::force(q.x)),
+        "only functions of this impl block can be inlined; move `Spring::force` ",
+    );
     body(quote!(helper(q.x)), "`helper` is a function of this impl block; call it as ");
     body(quote!(self.spring.rate(q.x)), "`self.spring.rate(…)` cannot be seen by the macro; ");
     body(quote!(self.free(q.x)), "`free` does not take `self`; ");
@@ -112,6 +120,22 @@ fn shapes() {
         "a Vector2 cannot be compared with a Vector2; ",
     );
     body(quote!(-true), "`-` cannot be applied to a `bool`; ");
+    let taken_out = quote!(Rotation3::from_axis_angle(&Vector3::y_axis(), q.x).into_inner());
+    let advised = "name its matrix, as in `rotation.matrix().";
+    body(
+        quote!(#taken_out.m31),
+        &format!("a rotation in space counts as no matrix, also after `into_inner`; {advised}m31`"),
+    );
+    body(
+        quote!(#taken_out.trace()),
+        &format!("a rotation in space counts as no matrix, also after `into_inner`; {advised}trace()`"),
+    );
+    body(quote!((2.0 * #taken_out).m31), "a rotation in space counts as no matrix, also after ");
+    body(quote!((#taken_out * 2.0).m31), "a rotation in space counts as no matrix, also after ");
+    body(
+        quote!((#taken_out + Matrix3::identity()).m31),
+        "a rotation in space counts as no matrix, also after ",
+    );
     body(
         quote!(Vector2::x().dot(&Vector3::x())),
         "`dot` needs equal lengths, but is called on a Vector2 with a Vector3",
@@ -160,6 +184,16 @@ fn constants_and_branches() {
     body(quote!(q.x % 2.0), "`%` jumps, so it has no derivative; ");
     body(quote!(q.x.round()), "`round` has no derivative everywhere; use the unrounded value");
     body(quote!(q.x.powi(self.n)), "`powi` needs a constant integer between ");
+    body(quote!(f64::from(q.x > 0.0)), "a condition known at run time does not convert to a number; write ");
+    body(quote!((q.x > 0.0) as u8 as f64), "a condition known at run time does not convert to a number; ");
+    body(
+        quote!(if (q.x > 0.0) != (v.x > 0.0) { q.x } else { 0.0 }),
+        "conditions known at run time cannot be compared; for `a != b` write `(a && !b) || (!a && b)`",
+    );
+    body(
+        quote!(if (q.x > 0.0) == (v.x > 0.0) { q.x } else { 0.0 }),
+        "conditions known at run time cannot be compared; for `a == b` write `(a && b) || (!a && !b)`",
+    );
     body(quote!(if q.x == 0.0 { q.x } else { 0.0 }), "the branch depends on `q`: a Lagrangian is one ");
     body(
         quote!(match v.x * t > 0.0 {
