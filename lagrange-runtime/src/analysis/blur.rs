@@ -1,14 +1,15 @@
-//! How well the numbers of a state determine its stiffness.
+//! How well the numbers of a state determine its stiffness, on hosts with a standard library.
 //!
 //! Far from the origin the last digits of coordinates are large beside a distance between bodies. Forces that
 //! balance there are as large as what these digits change, and so is the stiffness along a symmetry, which
 //! would be zero. Neighbouring states show how large that is.
 
+use nalgebra::SMatrix;
+
 use super::linear_model::linearize;
 use super::{LinearModel, Tangent};
-use crate::integrator::beside::beside;
+use crate::integrator::beside::{beside, ulps};
 use crate::linear::stored::Stored;
-use crate::number::elements::Each;
 use crate::number::real::{Ordered, Real, larger};
 use crate::system::state::State;
 
@@ -19,12 +20,12 @@ pub(super) fn blur<S, const N: usize, const K: usize, const C: usize>(
     state: &State<S::Scalar, N>,
     u: &[S::Scalar; K],
     model: &LinearModel<S::Scalar, N, K>,
-) -> Stored<nalgebra::SMatrix<S::Scalar, N, N>>
+) -> Stored<SMatrix<S::Scalar, N, N>>
 where
     S: Tangent<N, K, C>,
     S::Scalar: Ordered,
 {
-    let mut most = Stored::new(nalgebra::SMatrix::<S::Scalar, N, N>::zeros());
+    let mut most = Stored::new(SMatrix::<S::Scalar, N, N>::zeros());
     for there in beside(state, &ulps(state)) {
         let Ok(there) = linearize(system, &there, u, false) else { continue };
         for (most, (here, there)) in most.iter_mut().zip(model.stiffness.iter().zip(there.stiffness.iter())) {
@@ -32,10 +33,4 @@ where
         }
     }
     most
-}
-
-/// An ulp of each number of a state.
-pub(super) fn ulps<R: Real, const N: usize>(state: &State<R, N>) -> State<R, N> {
-    let ulp = |x: R| R::epsilon() * x.abs();
-    State { t: ulp(state.t), q: state.q.each(ulp), v: state.v.each(ulp) }
 }

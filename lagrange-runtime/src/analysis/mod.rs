@@ -16,6 +16,7 @@
 //! | [`Derivatives::sensitivities`] | derivatives of accelerations and multipliers by parameters |
 //! | [`Sensitive::variational`] | the motion with its derivatives by the start and by parameters |
 //! | [`Variational::monodromy`] | Floquet multipliers of a periodic motion |
+#[cfg(feature = "std")]
 mod blur;
 mod derivatives;
 mod equilibrium;

@@ -1,6 +1,6 @@
 //! States beside one, which show what a change of its numbers does to accelerations.
 
-use crate::number::elements::array;
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::system::state::State;
 
@@ -25,8 +25,16 @@ pub(crate) fn beside<R: Real, const N: usize>(
     })
 }
 
+/// An ulp of each number of a state.
+pub(crate) fn ulps<R: Real, const N: usize>(state: &State<R, N>) -> State<R, N> {
+    let ulp = |x: R| R::epsilon() * x.abs();
+    State { t: ulp(state.t), q: state.q.each(ulp), v: state.v.each(ulp) }
+}
+
 #[cfg(test)]
 mod tests {
+    use std::vec::Vec;
+
     use super::*;
 
     #[test]
