@@ -105,8 +105,7 @@ pub(super) fn is_sound<R: Real, const N: usize, const P: usize>(
     let here = &series.independence;
     let largest = |row: &[R; N]| row.iter().fold(R::zero(), |all, x| all.max(x.abs()));
     let known = [&at.q, &at.v].each(|x| R::epsilon() * largest(x));
-    (here.rank < here.rows || here.is_determined())
-        && falls(series, known, |rows| rows.each(|row| largest(row)))
+    (here.rank < here.rows || here.is_determined()) && falls(series, known, |rows| rows.each(largest))
 }
 
 /// Whether the last terms of a series are no larger than those before them, or than the `known` uncertainty

@@ -36,7 +36,7 @@ where
         scales: &Scales<S::Scalar, C>,
     ) -> Result<Next<S::Scalar, N, C, W>, Cause> {
         if let Some(stuck) = fired.and_then(|row| self.sharing(present, row)) {
-            if let Some(turned) = self.from_other_sides(&stuck) {
+            if let Some(turned) = self.with_other_sides(&stuck) {
                 return Ok((turned, None));
             }
             if let Some(grown) = self.loosened(&stuck, scales) {
@@ -65,7 +65,7 @@ where
     /// with some margin. The shares of each choice of sides are a convex set, and its last ones need not be
     /// the last of all.
     #[cold]
-    fn from_other_sides(&self, stuck: &Choice<S::Scalar, N, C, W>) -> Option<Choice<S::Scalar, N, C, W>> {
+    fn with_other_sides(&self, stuck: &Choice<S::Scalar, N, C, W>) -> Option<Choice<S::Scalar, N, C, W>> {
         let own = Part::all(&S::ROWS, &stuck.regime);
         let has_sides = |row: usize| S::ROWS[row] == Row::Bilateral && is_limit(&S::ROWS, row);
         let options = array(|row| match (has_sides(row), own[row]) {
