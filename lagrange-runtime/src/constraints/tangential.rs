@@ -21,8 +21,10 @@ where
 {
     let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
     let none = S::Scalar::zero();
-    let held = gradients.rates(&change.q);
-    let held = array(|c| if S::HOLONOMIC[c] { held[c] } else { none });
+    let mut held = gradients.rates(&change.q);
+    for (rate, _) in held.iter_mut().zip(S::HOLONOMIC).filter(|(_, is_holonomic)| !is_holonomic) {
+        *rate = none;
+    }
     let [q, v] = [(&change.q, held), (&change.v, gradients.rates(&change.v))].map(|(change, rates)| {
         let (normal, _) = saddle.solve(&[none; N], &rates);
         array(|i| change[i] - normal[i])
