@@ -130,8 +130,7 @@ impl Plate {
 #[test]
 fn what_drives_or_holds_a_body_does_so_far_away() {
     for far in [0.0, 1e3, 1e6] {
-        // About the point where Σ k a vanishes the turn has its own stiffness, Σ k a² − |Σ k a|² / Σ k: 269 of
-        // the pushing spring's system, whose Σ k = −20 drives both displacements.
+        // With Σ k = −20 both displacements are driven. The turn is held: Σ k a² − |Σ k a|² / Σ k > 0.
         for (third, expected) in [(20.0, Stability::Stable), (-60.0, Stability::Unstable { directions: 2 })] {
             let at = [far, -0.7 * far];
             let found = Plate { at, third }.stationary_point([at[0], at[1], 0.0], &[]).unwrap().stability;

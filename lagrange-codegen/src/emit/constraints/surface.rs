@@ -131,8 +131,12 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
     }
 }
 
-/// Which constraints are holonomic, if some are not.
+/// Which constraints are holonomic, if some are not. Frictions that stick are rows of rates, too, but hold
+/// places: nothing moves along them.
 fn holonomic(emission: &Emission<'_>) -> String {
+    if emission.equations.conditions.switched.is_some() {
+        return String::new();
+    }
     let (graph, positions) = (&emission.model.graph, &emission.equations.conditions.positions);
     let of: Vec<bool> = positions.iter().map(|&f| !graph.is_zero(f)).collect();
     if of.iter().all(|&is_holonomic| is_holonomic) {
