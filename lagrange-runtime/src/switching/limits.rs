@@ -100,7 +100,7 @@ where
         if is_idle { self.trial(begins.held(&chosen.regime)) } else { None }
     }
 
-    /// The same of slips in one direction, if the load has shares with which they stick. `None` where one of
+    /// The same of slips in one direction that constraints limit, if the load has shares with which they stick. `None` where one of
     /// them begins for a reason.
     fn stuck(
         &self,
@@ -110,8 +110,9 @@ where
     ) -> Option<Choice<S::Scalar, N, C, W>> {
         let mut regime = chosen.regime;
         for row in self.resting_rows(None) {
-            let is_single = matches!(S::ROWS.get(row), Some(Row::Friction { pair: None, .. }));
-            if !is_single || entry(&regime.slip, row) == S::Scalar::zero() {
+            let is_of_constraint = matches!(S::ROWS.get(row), Some(Row::Friction { pair: None, normal: Some(normal) })
+                if S::ROWS.get(*normal) == Some(&Row::Bilateral));
+            if !is_of_constraint || entry(&regime.slip, row) == S::Scalar::zero() {
                 continue;
             }
             let size = self.extent_of(row, &chosen.sizes.accelerations);
