@@ -100,8 +100,8 @@ where
         if is_idle { self.trial(begins.held(&chosen.regime)) } else { None }
     }
 
-    /// The same of slips in one direction that constraints limit, if the load has shares with which they stick. `None` where one of
-    /// them begins for a reason.
+    /// The same of slips in one direction that constraints limit, if the load has shares with which they
+    /// stick. `None` where one of them begins for a reason.
     fn stuck(
         &self,
         chosen: &Choice<S::Scalar, N, C, W>,
