@@ -39,7 +39,7 @@ impl Number {
     /// `value as f64`, or `value as f32`: an integer of more digits than these have is rounded, as by Rust.
     pub fn cast(value: i128, single: bool) -> Number {
         let float = if single { f64::from(value as f32) } else { value as f64 };
-        // 2¹²⁷, to which the largest integers are rounded, is none of them.
+        // The largest integers round to 2¹²⁷, which no `i128` holds.
         if float >= -(i128::MIN as f64) { Number::Float(float, 0.0) } else { Number::integer(float as i128) }
     }
 

@@ -3,11 +3,11 @@
 
 use super::block::Values;
 use super::body::{self, Source};
+use super::constraints::kinds;
 use super::names::{Names, name_accelerations};
 use super::{Emission, block, scalar, screws};
 use crate::expr::{NodeId, Variable};
 use crate::mechanics::{Linearization, Sensitivities};
-use crate::model::ConstraintKind;
 use crate::schedule::plan;
 use crate::simplify::simplify;
 
@@ -233,24 +233,20 @@ fn tangent(
         (emission.count(), emission.model.inputs.len(), emission.equations.conditions.count());
     let (scalar, vector) = (&emission.scalar, emission.vector_type());
     let given = emission.input_type();
-    let kinds = emission.model.constraints.iter().map(|constraint| constraint.kind);
-    let kinds: Vec<String> = kinds.map(|kind| (kind == ConstraintKind::Holonomic).to_string()).collect();
-    let turns: Vec<String> = turns.iter().map(bool::to_string).collect();
+    let kinds = kinds(emission.model);
     let state = format!("t: {scalar}, q: &{vector}, v: &{vector}");
     let place = format!(
         "&self, constants: &Self::Constants, place: &lagrange::Place<'_, {scalar}, {count}, {inputs}, {held}>"
     );
     format!(
-        "const HOLONOMIC: [bool; {held}] = [{}];\n\
-         const TURNS: [bool; {held}] = [{}];\n\
+        "const HOLONOMIC: [bool; {held}] = {kinds:?};\n\
+         const TURNS: [bool; {held}] = {turns:?};\n\
          #[inline]\nfn balanced_at(&self, constants: &Self::Constants, {state}, u: &{given}) \
          -> lagrange::Balance<{scalar}, {count}, {held}> {{\n{balance}\n}}\n\
          #[inline]\nfn deviations_at(&self, {state}) -> lagrange::Residuals<{scalar}, {held}> {{\n{deviations}\n}}\n\
          #[inline]\nfn imbalance_at({place}) -> lagrange::Imbalance<{scalar}, {count}, {held}> {{\n{imbalance}\n}}\n\
          #[inline]\nfn variation_at({place}) -> lagrange::Variation<{scalar}, {count}, {inputs}, {held}> \
-         {{\n{variation}\n}}\n",
-        kinds.join(", "),
-        turns.join(", ")
+         {{\n{variation}\n}}\n"
     )
 }
 

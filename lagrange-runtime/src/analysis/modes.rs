@@ -81,13 +81,14 @@ where
         return Err(Cause::NotFinite);
     }
     let equations = SecondOrder::new(model, &mass, &(doubled(blur) / unit));
-    let unit = equations.as_ref().map_or(unit, |equations| unit * equations.blurred());
+    // The state matrix has one error for all of its entries.
+    let blurred = unit * equations.as_ref().map_or(1.0, |equations| equations.blurred);
     // The symmetry of equations of the first order, as about a spin, is not known. So an eigenvalue counts as
     // on an axis if rounding could have moved it off.
     let is_reversible = equations.as_ref().is_none_or(|equations| equations.is_reversible(unit));
     let mut modes = match equations.and_then(|equations| equations.modes(&mass, unit)) {
         Some(modes) => modes,
-        None => general(model, matrix, &mass, unit, is_reversible).ok_or(Cause::NoEigenvalues)?,
+        None => general(model, matrix, &mass, blurred, is_reversible).ok_or(Cause::NoEigenvalues)?,
     };
     let is_number = |x: &Complex<f64>| x.re.is_finite() && x.im.is_finite();
     if !modes.iter().all(|mode| is_number(&mode.eigenvalue) && mode.shape.iter().all(is_number)) {
@@ -120,11 +121,12 @@ pub(super) fn growth<const N: usize, const K: usize>(
     unit: f64,
 ) -> Option<Growth> {
     let equations = SecondOrder::new(model, &doubled(&model.mass), &(doubled(blur) / unit));
-    let unit = equations.as_ref().map_or(unit, |equations| unit * equations.blurred());
+    let blurred = unit * equations.as_ref().map_or(1.0, |equations| equations.blurred);
     let is_reversible = equations.is_some_and(|equations| equations.is_reversible(unit));
     let order = model.order();
-    let found = eigenvalues(&DMatrix::from_fn(order, order, |i, j| model.entry(i, j)), unit, is_reversible)?;
-    let share = rounding(order, unit);
+    let matrix = DMatrix::from_fn(order, order, |i, j| model.entry(i, j));
+    let found = eigenvalues(&matrix, blurred, is_reversible)?;
+    let share = rounding(order, blurred);
     let count = |is: fn(f64, f64) -> bool| {
         found.iter().filter(|found| is(found.value.re, share * found.scale)).count()
     };
@@ -182,10 +184,11 @@ struct SecondOrder<const N: usize> {
     damping: DMatrix<f64>,
     gyroscopic: DMatrix<f64>,
     stiffness: DMatrix<f64>,
-    /// The sums of the magnitudes in K̃: the scale of the rounding errors of its entries.
-    magnitudes: DMatrix<f64>,
-    /// The same with what the numbers of the state leave open.
+    /// The sums of the magnitudes in K̃, with what the numbers of the state leave open: the scale of the
+    /// errors of its entries.
     sizes: DMatrix<f64>,
+    /// The factor by which the largest of them exceeds the largest magnitude.
+    blurred: f64,
 }
 
 impl<const N: usize> SecondOrder<N> {
@@ -212,20 +215,15 @@ impl<const N: usize> SecondOrder<N> {
         let stiffness = doubled(&model.stiffness);
         let sizes = |stiffness: DMatrix<f64>| shapes.abs().transpose() * stiffness * shapes.abs();
         let magnitudes = sizes(stiffness.abs());
+        let (most, sizes) = (largest(&magnitudes), magnitudes + sizes(blur.clone()));
         Some(Self {
             damping: on(&model.damping),
             gyroscopic: on(&model.gyroscopic),
             stiffness: on(&model.stiffness),
-            sizes: &magnitudes + sizes(blur.clone()),
-            magnitudes,
+            blurred: if most > 0.0 { largest(&sizes) / most } else { 1.0 },
+            sizes,
             shapes,
         })
-    }
-
-    /// By what factor the uncertainty of the stiffness exceeds its rounding errors.
-    fn blurred(&self) -> f64 {
-        let (sizes, magnitudes) = (largest(&self.sizes), largest(&self.magnitudes));
-        if magnitudes > 0.0 { sizes / magnitudes } else { 1.0 }
     }
 
     /// Whether the motion is the same backwards, up to a reflection: forces without power and a potential.

@@ -31,7 +31,7 @@ where
 
     /// Whether one of two regimes has shorter reactions than the other, from which it differs in the sides of
     /// reactions alone.
-    pub(super) fn is_shorter(&self, a: &Choice<S::Scalar, N, C, W>, b: &Choice<S::Scalar, N, C, W>) -> bool {
+    pub(super) fn is_shorter(a: &Choice<S::Scalar, N, C, W>, b: &Choice<S::Scalar, N, C, W>) -> bool {
         let length = |choice: &Choice<S::Scalar, N, C, W>| product(&choice.multipliers, &choice.multipliers);
         let part = S::Scalar::epsilon().sqrt();
         Regime { side: b.regime.side, ..a.regime } == b.regime

@@ -203,7 +203,7 @@ where
                         None => chosen = Some(trial),
                         Some(own) if other.is_none() => match self.differs(own, &trial) {
                             // Shares of one load from other sides: the shortest of all are taken.
-                            None if self.is_shorter(&trial, own) => chosen = Some(trial),
+                            None if Self::is_shorter(&trial, own) => chosen = Some(trial),
                             found => other = found,
                         },
                         Some(_) => {}

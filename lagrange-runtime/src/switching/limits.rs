@@ -101,7 +101,8 @@ where
     }
 
     /// The same of slips in one direction that constraints limit, if the load has shares with which they
-    /// stick. `None` where one of them begins for a reason.
+    /// stick. `None` where one of them begins for a reason. Contacts have no part in it: feet that stick
+    /// where links lie flat are rows that depend on each other for a moment, on which no motion goes on.
     fn stuck(
         &self,
         chosen: &Choice<S::Scalar, N, C, W>,
@@ -110,8 +111,10 @@ where
     ) -> Option<Choice<S::Scalar, N, C, W>> {
         let mut regime = chosen.regime;
         for row in self.resting_rows(None) {
-            let is_of_constraint = matches!(S::ROWS.get(row), Some(Row::Friction { pair: None, normal: Some(normal) })
-                if S::ROWS.get(*normal) == Some(&Row::Bilateral));
+            let Some(&Row::Friction { pair: None, normal: Some(normal) }) = S::ROWS.get(row) else {
+                continue;
+            };
+            let is_of_constraint = S::ROWS.get(normal) == Some(&Row::Bilateral);
             if !is_of_constraint || entry(&regime.slip, row) == S::Scalar::zero() {
                 continue;
             }

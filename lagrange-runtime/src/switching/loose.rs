@@ -8,7 +8,7 @@ use super::growing::{Grown, TRIES};
 use super::known::Known;
 use super::scales::Scales;
 use super::scene::{Scene, Status, above, entry};
-use super::trials::{Options, Part, combine};
+use super::trials::{Options, Part, combine, regime};
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
 use crate::number::elements::{Each, array};
@@ -75,18 +75,13 @@ where
         });
         let mut found = None;
         combine(&options, &[1; C], |parts| {
-            let mut regime = stuck.regime;
-            for (side, (part, own)) in regime.side.iter_mut().zip(parts.iter().zip(&own)) {
-                if part != own {
-                    *side = -*side;
-                }
-            }
-            if regime != stuck.regime {
-                found = self.trial(regime).filter(|trial| {
-                    let drags = self.drags(&trial.regime, &self.state.v);
-                    self.can_share(&trial.regime, &drags, &trial.multipliers)
-                });
-            }
+            let turned = regime(&S::ROWS, parts, &options, &[false; C], self.kinks);
+            let turned =
+                turned.filter(|turned| *turned != stuck.regime).and_then(|turned| self.trial(turned));
+            found = turned.filter(|turned| {
+                let drags = self.drags(&turned.regime, &self.state.v);
+                self.can_share(&turned.regime, &drags, &turned.multipliers)
+            });
             found.is_some()
         });
         found

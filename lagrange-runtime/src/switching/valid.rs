@@ -148,7 +148,7 @@ where
         self.doubtful_at(row, until, PLACES.iter(), 1.0)
     }
 
-    /// The same at these places, where changes count so often.
+    /// The same at these places, where a bound may be zero if it is `times` such a change at most.
     #[inline(never)]
     fn doubtful_at(
         &mut self,

@@ -22,8 +22,14 @@ pub(super) use surface::{implementations, system};
 
 use super::{Emission, scalar};
 use crate::mechanics::{LoadRow, Switched};
+use crate::model::{ConstraintKind, Model};
 use crate::structure::{Saddle, Sparsity};
 use crate::syntax::Scalar;
+
+/// Which constraints are holonomic.
+pub(in crate::emit) fn kinds(model: &Model) -> Vec<bool> {
+    model.constraints.iter().map(|constraint| constraint.kind == ConstraintKind::Holonomic).collect()
+}
 
 /// Statements that fill `name` with rows. Zeros are left as they are.
 pub(super) fn rows(scalar: &Scalar, name: &str, width: usize, rows: &[Vec<String>]) -> String {

@@ -1,7 +1,9 @@
 //! `System` of a constrained model, and the runtime's `Surface` and `Constrained`.
 
 use super::super::block::{Evaluation, Values};
-use super::{factored, filled_switches, gradients, gradients_type, pattern, record_ident, saddle_type};
+use super::{
+    factored, filled_switches, gradients, gradients_type, kinds, pattern, record_ident, saddle_type,
+};
 use crate::emit::block;
 use crate::emit::body::{self, Source};
 use crate::emit::hidden::hidden;
@@ -85,8 +87,8 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
              inputs: ::core::option::Option<&{inputs}>) \
              -> ::core::result::Result<lagrange::Footing<{scalar}, {count}>, lagrange::Cause> \
              {{\nlagrange::constraints::land::<Self, {count}, {given}, {held}>(self, constants, state, inputs)\n}}\n\
-             fn tangential_at(&self, state: &lagrange::State<{scalar}, {count}>, change: &lagrange::State<{scalar}, {count}>) \
-             -> lagrange::State<{scalar}, {count}> \
+             fn tangential_at(&self, state: &lagrange::State<{scalar}, {count}>, \
+             change: &lagrange::State<{scalar}, {count}>) -> lagrange::State<{scalar}, {count}> \
              {{\nlagrange::constraints::tangential::<Self, {count}, {given}, {held}>(self, state, change)\n}}\n"
         )
     };
@@ -131,18 +133,14 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
     }
 }
 
-/// Which constraints are holonomic, if some are not. Frictions that stick are rows of rates, too, but hold
-/// places: nothing moves along them.
+/// Which constraints are holonomic, if some are not. That matters to `Dop853` above all, which takes no
+/// systems with rows that contacts and frictions switch: their rows all count as holonomic.
 fn holonomic(emission: &Emission<'_>) -> String {
-    if emission.equations.conditions.switched.is_some() {
+    let kinds = kinds(emission.model);
+    if emission.equations.conditions.switched.is_some() || !kinds.contains(&false) {
         return String::new();
     }
-    let (graph, positions) = (&emission.model.graph, &emission.equations.conditions.positions);
-    let of: Vec<bool> = positions.iter().map(|&f| !graph.is_zero(f)).collect();
-    if of.iter().all(|&is_holonomic| is_holonomic) {
-        return String::new();
-    }
-    format!("const HOLONOMIC: [bool; {}] = {of:?};\n", of.len())
+    format!("const HOLONOMIC: [bool; {}] = {kinds:?};\n", kinds.len())
 }
 
 /// The body of `equations_at`, and the inherent function with `body`, which evaluates without factoring.
