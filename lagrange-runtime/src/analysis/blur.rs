@@ -4,9 +4,10 @@
 //! balance there are as large as what these digits change, and so is the stiffness along a symmetry, which
 //! would be zero. Neighbouring states show how large that is.
 
-use nalgebra::SMatrix;
+use nalgebra::DMatrix;
 
 use super::linear_model::linearize;
+use super::modes::double;
 use super::{LinearModel, Tangent};
 use crate::integrator::beside::{beside, ulps};
 use crate::linear::stored::Stored;
@@ -20,17 +21,19 @@ pub(super) fn blur<S, const N: usize, const K: usize, const C: usize>(
     state: &State<S::Scalar, N>,
     u: &[S::Scalar; K],
     model: &LinearModel<S::Scalar, N, K>,
-) -> Stored<SMatrix<S::Scalar, N, N>>
+) -> DMatrix<f64>
 where
     S: Tangent<N, K, C>,
     S::Scalar: Ordered,
 {
-    let mut most = Stored::new(SMatrix::<S::Scalar, N, N>::zeros());
+    let mut most = Stored::<[[S::Scalar; N]; N]>::zeros();
     for there in beside(state, &ulps(state)) {
         let Ok(there) = linearize(system, &there, u, false) else { continue };
-        for (most, (here, there)) in most.iter_mut().zip(model.stiffness.iter().zip(there.stiffness.iter())) {
-            *most = larger((*there - *here).abs(), *most);
+        for (i, row) in most.iter_mut().enumerate() {
+            for (j, most) in row.iter_mut().enumerate() {
+                *most = larger((there.stiffness[(i, j)] - model.stiffness[(i, j)]).abs(), *most);
+            }
         }
     }
-    most
+    DMatrix::from_fn(N, N, |i, j| double(most[i][j]))
 }

@@ -66,7 +66,7 @@ impl<const N: usize> Mode<N> {
 /// rounding errors of these.
 pub(super) fn modes<R, const N: usize, const K: usize>(
     model: &LinearModel<R, N, K>,
-    blur: &SMatrix<R, N, N>,
+    blur: &DMatrix<f64>,
 ) -> Result<Vec<Mode<N>>, Cause>
 where
     R: Ordered + Into<f64>,
@@ -80,7 +80,7 @@ where
     {
         return Err(Cause::NotFinite);
     }
-    let equations = SecondOrder::new(model, &mass, &(doubled(blur) / unit));
+    let equations = SecondOrder::new(model, &mass, &(blur / unit));
     // The state matrix has one error for all of its entries.
     let blurred = unit * equations.as_ref().map_or(1.0, |equations| equations.blurred);
     // The symmetry of equations of the first order, as about a spin, is not known. So an eigenvalue counts as
@@ -117,10 +117,10 @@ pub(super) struct Growth {
 /// the relative error `unit`.
 pub(super) fn growth<const N: usize, const K: usize>(
     model: &LinearModel<f64, N, K>,
-    blur: &SMatrix<f64, N, N>,
+    blur: &DMatrix<f64>,
     unit: f64,
 ) -> Option<Growth> {
-    let equations = SecondOrder::new(model, &doubled(&model.mass), &(doubled(blur) / unit));
+    let equations = SecondOrder::new(model, &doubled(&model.mass), &(blur / unit));
     let blurred = unit * equations.as_ref().map_or(1.0, |equations| equations.blurred);
     let is_reversible = equations.is_some_and(|equations| equations.is_reversible(unit));
     let order = model.order();

@@ -128,7 +128,7 @@ where
         let Ok(model) = linear_model::linearize(self.system, &state, self.u, false) else {
             return Stability::Undecided;
         };
-        let blur = blur::blur(self.system, &state, self.u, &model).map(modes::double);
+        let blur = blur::blur(self.system, &state, self.u, &model);
         let found = modes::growth(&model.map(modes::double), &blur, modes::double(S::Scalar::epsilon()));
         let Some(modes::Growth { growing, still }) = found else { return Stability::Undecided };
         match (growing, still, down) {
