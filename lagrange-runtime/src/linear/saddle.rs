@@ -262,8 +262,8 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         this
     }
 
-    /// The blocks of the inverse from the null space and a right inverse of A. Code that is not optimised has a
-    /// place of its own for each value, so there the callers' places do not add to those of the factors.
+    /// The blocks of the inverse from the null space and a right inverse of A. Code that is not optimised
+    /// keeps each value in a place of its own, so there these blocks have a frame of their own.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn assemble(
         split: &Split<R, N, C>,
