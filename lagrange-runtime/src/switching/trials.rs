@@ -2,7 +2,7 @@
 
 use super::scene::rounding;
 use super::{Regime, Row};
-use crate::number::elements::array;
+use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 
 /// Up to so many combinations are tried one by one at first: those of six contacts that are open or closed.
@@ -140,22 +140,26 @@ pub(super) fn combine<const C: usize>(
     let total = combinations(options);
     let mut visited = 0;
     let most = weights.iter().sum();
+    let first: [Part; C] = options.each_ref().each(Options::first);
     for changes in 0..=most {
-        for number in 0..total {
-            let (mut rest, mut changed) = (number, 0);
-            let parts = array(|row| {
-                let count = options[row].count.max(1);
-                let digit = rest % count;
-                rest /= count;
-                if digit > 0 {
-                    changed += weights.get(row).copied().unwrap_or(1);
-                }
-                options[row].parts.get(digit).copied().unwrap_or(Part::Off)
-            });
+        // The places of the options in the present combination, which counts up from the first row on.
+        let (mut digits, mut parts, mut changed) = ([0; C], first, 0);
+        for _ in 0..total {
             if changed == changes {
                 visited += 1;
                 if visit(&parts) {
                     return;
+                }
+            }
+            let rows = digits.iter_mut().zip(&mut parts).zip(options.iter().zip(weights));
+            for ((digit, part), (options, weight)) in rows {
+                changed -= if *digit > 0 { *weight } else { 0 };
+                let carries = *digit + 1 >= options.count;
+                *digit = if carries { 0 } else { *digit + 1 };
+                *part = options.parts.get(*digit).copied().unwrap_or(Part::Off);
+                if !carries {
+                    changed += *weight;
+                    break;
                 }
             }
         }
