@@ -54,6 +54,7 @@ pub(crate) use tangent_space::TangentSpace;
 use partition::partition;
 use range::Range;
 use reduced::Reduced;
+use redundant::Shortest;
 use scaled::Scaled;
 use vectors::{add_product, add_scaled, poison, transposed};
 
@@ -223,9 +224,9 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         let mut this = Self::assemble(&split, &reduced, scaled.units, range.independence());
         this.vanishing = range.vanishing;
         if range.rank < C {
-            let combinations = range.combinations();
-            redundant::shorten(&mut this.reaction, &combinations, range.rank);
-            redundant::shorten(&mut this.stiffness, &combinations, range.rank);
+            let shortest = Shortest::new(range.combinations(), range.rank);
+            shortest.replace(&mut this.reaction);
+            shortest.replace(&mut this.stiffness);
             // A row with NaN is not taken, but it does not depend on others either.
             poison(this.compliance.as_flattened_mut(), a.as_flattened());
             poison(this.transfer.as_flattened_mut(), a.as_flattened());

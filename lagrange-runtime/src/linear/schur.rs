@@ -11,7 +11,7 @@ use crate::number::real::Real;
 
 use super::Independence;
 use super::saddle::range::Range;
-use super::saddle::redundant;
+use super::saddle::redundant::Shortest;
 use super::saddle::scaled::Scaled;
 use super::saddle::vectors::{add_product, add_scaled, multiply, poison, scale, unit, where_positive};
 
@@ -151,7 +151,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
             }
         }
         if range.rank < C {
-            redundant::shorten(&mut factor, &range.combinations(), range.rank);
+            Shortest::new(range.combinations(), range.rank).replace(&mut factor);
         }
         // A row with NaN is not taken, but it does not depend on others either. Nor does a row that a
         // negative mass has made NaN.

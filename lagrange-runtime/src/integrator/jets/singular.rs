@@ -24,6 +24,11 @@ use crate::system::state::State;
 /// which coordinates change by their size. So a target close by does not keep a motion where it cannot end.
 const LENGTHS: usize = 64;
 
+/// At so many of these lengths as many constraints may depend on each other as at the start. Where that is the
+/// rule and not the exception, it is found at all of them: functions without kinks depend on each other
+/// everywhere or at single places.
+const ALIKE: usize = 4;
+
 /// Corrections of the end of the step. Each leaves a part of the error that is the square of the step over
 /// the time in which accelerations change.
 const CORRECTIONS: usize = 24;
@@ -78,7 +83,7 @@ where
     // At rest coordinates do not change, and at the origin they have no size.
     let longest = if own.is_finite() && own.is_positive() { left.signum() * own } else { left };
     let mut time = half * longest;
-    let mut leads_out = false;
+    let (mut leads_out, mut alike) = (false, 0);
     for _ in 0..LENGTHS {
         *memory = kept;
         let mut beyond = kept.start.at_time(kept.start.t + time);
@@ -86,13 +91,22 @@ where
             *q += time * v;
         }
         let there = if beyond.is_finite() { system.land_at(constants, &mut beyond, None).ok() } else { None };
-        if let Some(there) = there.filter(|there| there.independence.improves(&here, enough)) {
-            leads_out = true;
-            if shoot(memory, system, constants, control, limits, &kept.start, beyond, &there) {
-                memory.determined = Some(Determined::at_start(&there.independence));
-                memory.stand(&there);
-                return Ok(true);
+        match there {
+            Some(there) if there.independence.improves(&here, enough) => {
+                leads_out = true;
+                if shoot(memory, system, constants, control, limits, &kept.start, beyond, &there) {
+                    memory.determined = Some(Determined::at_start(&there.independence));
+                    memory.stand(&there);
+                    return Ok(true);
+                }
             }
+            Some(Footing { independence: there, .. }) if there.rank < there.rows && !leads_out => {
+                alike += 1;
+                if alike == ALIKE {
+                    break;
+                }
+            }
+            _ => {}
         }
         time *= half;
     }

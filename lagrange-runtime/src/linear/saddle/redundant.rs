@@ -10,48 +10,46 @@ use crate::number::real::Real;
 
 use super::vectors::{add_scaled, dot, magnitude, scale};
 
-/// Replaces multipliers that leave the dependent rows at zero, one set a row, by the shortest that give the
-/// same forces.
-pub(in crate::linear) fn shorten<R: Real, const C: usize>(
-    multipliers: &mut [[R; C]],
-    combinations: &[[R; C]; C],
+/// The multipliers that no others with the same forces are shorter than.
+pub(in crate::linear) struct Shortest<R, const C: usize> {
+    /// Orthonormal vectors that span them, in the first `rank` rows.
+    basis: [[R; C]; C],
     rank: usize,
-) {
-    let basis = basis(combinations, rank);
-    // Rows that do nothing have no multipliers.
-    for row in multipliers.iter_mut().filter(|row| row.iter().any(|x| !x.is_zero())) {
-        *row = project(&basis, row, rank);
-    }
 }
 
-/// Orthonormal vectors that span the first `rank` of `combinations`.
-fn basis<R: Real, const C: usize>(combinations: &[[R; C]; C], rank: usize) -> [[R; C]; C] {
-    let mut basis = *combinations;
-    for k in 0..rank.min(C) {
-        let (before, rest) = basis.split_at_mut(k);
-        let Some(vector) = rest.first_mut() else { break };
-        for _ in 0..2 {
-            // Sizes before squares, which could overflow. Nothing is zero here: an independent row is 1 in
-            // its own.
-            let size = magnitude(vector).recip();
-            scale(vector, size);
-            for other in before.iter() {
-                let along = dot(other, vector);
-                add_scaled(vector, other, -along);
+impl<R: Real, const C: usize> Shortest<R, C> {
+    /// Those that combine rows of A, of which the first `rank` combinations give all from independent ones.
+    pub(in crate::linear) fn new(combinations: [[R; C]; C], rank: usize) -> Self {
+        let mut basis = combinations;
+        for k in 0..rank.min(C) {
+            let (before, rest) = basis.split_at_mut(k);
+            let Some(vector) = rest.first_mut() else { break };
+            for _ in 0..2 {
+                // Sizes before squares, which could overflow. Nothing is zero here: an independent row is 1
+                // in its own.
+                let size = magnitude(vector).recip();
+                scale(vector, size);
+                for other in before.iter() {
+                    let along = dot(other, vector);
+                    add_scaled(vector, other, -along);
+                }
             }
+            let norm = dot(vector, vector).sqrt().recip();
+            scale(vector, norm);
         }
-        let norm = dot(vector, vector).sqrt().recip();
-        scale(vector, norm);
+        Self { basis, rank }
     }
-    basis
-}
 
-/// The projection of `vector` on the first `rank` vectors of an orthonormal basis.
-#[inline]
-fn project<R: Real, const C: usize>(basis: &[[R; C]; C], vector: &[R; C], rank: usize) -> [R; C] {
-    let mut projection = [R::zero(); C];
-    for direction in basis.iter().take(rank) {
-        add_scaled(&mut projection, direction, dot(direction, vector));
+    /// Replaces multipliers that leave the dependent rows at zero, one set a row, by the shortest that give
+    /// the same forces.
+    pub(in crate::linear) fn replace(&self, multipliers: &mut [[R; C]]) {
+        // Rows that do nothing have no multipliers.
+        for row in multipliers.iter_mut().filter(|row| row.iter().any(|x| !x.is_zero())) {
+            let mut projection = [R::zero(); C];
+            for direction in self.basis.iter().take(self.rank) {
+                add_scaled(&mut projection, direction, dot(direction, row));
+            }
+            *row = projection;
+        }
     }
-    projection
 }
