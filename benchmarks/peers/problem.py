@@ -33,11 +33,13 @@ class Problem:
 
 
 def problems(path: Path = REFERENCES) -> dict[str, Problem]:
-    """The problems that Rust and Python share."""
-    return {
-        name: Problem(name, entry["t_end"], np.array(entry["start"]), np.array(entry["end"]))
-        for name, entry in json.loads(path.read_text()).items()
-    }
+    """The problems that Rust and Python share; those from other starts have their place behind a slash."""
+    found = {}
+    for name, entry in json.loads(path.read_text()).items():
+        for place, motion in enumerate([entry, *entry.get("others", [])]):
+            key = f"{name}/{place}" if place else name
+            found[key] = Problem(name, entry["t_end"], np.array(motion["start"]), np.array(motion["end"]))
+    return found
 
 
 class Integrator(ABC):

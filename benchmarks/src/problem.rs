@@ -23,9 +23,21 @@ pub fn names() -> impl Iterator<Item = &'static str> + Clone {
 pub struct Problem {
     #[serde(skip)]
     pub name: &'static str,
+    /// Zero for the first start, the place among the others from one on.
+    #[serde(skip)]
+    pub place: usize,
     pub t_end: f64,
     pub start: Vec<f64>,
     pub end: Vec<f64>,
+    #[serde(default)]
+    others: Vec<Motion>,
+}
+
+/// Another motion of the same system.
+#[derive(Clone, Debug, Deserialize)]
+struct Motion {
+    start: Vec<f64>,
+    end: Vec<f64>,
 }
 
 impl Problem {
@@ -37,6 +49,17 @@ impl Problem {
             found.iter().zip(self.end.iter().cycle()).map(|(y, end)| (y - end).abs() / end.abs().max(1.0));
         // `f64::max` would hide NaN.
         deviations.fold(0.0, |worst, error| if error.is_nan() || error > worst { error } else { worst })
+    }
+
+    /// The same system from its other starts.
+    pub fn others(&self) -> impl Iterator<Item = Self> {
+        self.others.iter().zip(1..).map(|(Motion { start, end }, place)| Self {
+            place,
+            start: start.clone(),
+            end: end.clone(),
+            others: Vec::new(),
+            ..*self
+        })
     }
 
     /// Coordinates and velocities at the start.

@@ -39,10 +39,13 @@ def main() -> None:
         request = json.loads(line)
         system, subject, tolerance = request["system"], request["subject"], request["tolerance"]
         try:
-            key = (system, subject, tolerance)
+            problem = known[system]
+            # One integrator for all starts of a system.
+            key = (problem.name, subject, tolerance)
             if key not in built:
-                built[key] = subjects[subject].build(known[system], tolerance)
+                built[key] = subjects[subject].build(problem, tolerance)
             run = built[key]
+            run.problem = problem
             times: list[float] = []
             begin = time.perf_counter()
             while not times or time.perf_counter() - begin < request["seconds"]:
@@ -50,7 +53,7 @@ def main() -> None:
                 start = time.perf_counter()
                 run.run()
                 times.append(time.perf_counter() - start)
-            error = max(known[system].error(end) for end in run.ends())
+            error = max(problem.error(end) for end in run.ends())
             answer = {"us": min(times) * 1e6, "error": error, "steps": run.steps()}
         # Peers raise whatever they please.
         except (Failure, Exception) as cause:

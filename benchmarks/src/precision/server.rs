@@ -29,6 +29,7 @@ struct Offer {
 
 #[derive(Serialize)]
 struct Request<'a> {
+    /// The name, and behind a slash the place of a start that is not the first one.
     system: &'a str,
     subject: &'a str,
     tolerance: f64,
@@ -133,7 +134,11 @@ impl Subject for Remote {
     }
 
     fn sample(&mut self, problem: &Problem, tolerance: f64, seconds: f64) -> Result<Sample, String> {
-        let request = Request { system: problem.name, subject: &self.name, tolerance, seconds };
+        let system = match problem.place {
+            0 => problem.name.to_owned(),
+            place => format!("{}/{place}", problem.name),
+        };
+        let request = Request { system: &system, subject: &self.name, tolerance, seconds };
         self.line.borrow_mut().ask(&request).map_err(|error| error.to_string())
     }
 }

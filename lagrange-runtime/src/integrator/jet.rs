@@ -109,7 +109,8 @@ pub(super) fn is_sound<R: Real, const N: usize, const P: usize>(
 }
 
 /// Whether the last terms of a series are no larger than those before them, or than the `known` uncertainty
-/// of the coordinates and of the velocities, by a measure of their sizes.
+/// of the coordinates and of the velocities, by a measure of their sizes. Terms beside which those before are
+/// rounding errors are the first of a motion that begins from rest, and tell nothing.
 fn falls<R: Real, const N: usize, const P: usize>(
     series: &Series<R, N, P>,
     known: [R; 2],
@@ -120,9 +121,9 @@ fn falls<R: Real, const N: usize, const P: usize>(
         return true;
     };
     let [before_last, next_to_last, last] = [[q0, v0], [q1, v1], [q2, v2]].map(sizes);
-    last.iter()
-        .zip(before_last)
-        .zip(next_to_last)
-        .zip(known)
-        .all(|(((&last, a), b), known)| (last - a.max(b).max(known)).largest() <= R::zero().largest())
+    let terms = last.iter().zip(before_last).zip(next_to_last).zip(known);
+    terms.map(|(((&last, a), b), known)| (last, a.max(b), known)).all(|(last, before, known)| {
+        let begins = (before - R::epsilon().sqrt() * last).largest() <= R::zero().largest();
+        begins || (last - before.max(known)).largest() <= R::zero().largest()
+    })
 }

@@ -37,6 +37,11 @@ const FURTHER: f64 = 1.0 / 16.0;
 /// The most halvings of a step on which a guard's series does not converge.
 const HALVINGS: i32 = 40;
 
+/// The part of a guard's terms by which its series may miss it on a step of a length that the caller chose.
+/// The error of such a step is that of its order. The series tells where the guard falls, and the guard itself
+/// where it is zero.
+const FOLLOWED: f64 = 1.0 / 16.0;
+
 /// The length of a part of a step that is too short to matter, as a multiple of the shortest part on which
 /// convergence is looked for.
 const BEYOND: f64 = 64.0;
@@ -266,7 +271,10 @@ where
             let end = self.at_end(guard, course, until, borne);
             let curve = whole.on(num_traits::Zero::zero(), until);
             let lacks = (curve.end() - end.value.value).abs();
-            let bound = course.allowed() * curve.extent() + end.value.error;
+            // The straight lines of order one follow no gap.
+            let follows = course.is_paced && course.order() > 1;
+            let allowed = if follows { S::Scalar::from_f64(FOLLOWED) } else { course.allowed() };
+            let bound = allowed * curve.extent() + end.value.error;
             // A reaction has no value but that of its series, which converges as the motion does. At rest
             // there is no motion to make the step short enough for it, and the limit of a friction has a
             // series that the motion does not see.
@@ -275,7 +283,8 @@ where
                 let allowed = course.left * curve.extent();
                 let is_short = !last.is_finite() || until < shortest;
                 let has_limit = is_short || self.has_limit_on(guard, start, course, &end);
-                if is_short || has_limit && (!course.rests() || last <= allowed) {
+                let is_bounded = course.is_paced || !course.rests() || last <= allowed;
+                if is_short || has_limit && is_bounded {
                     return Known::Series(end);
                 }
                 let order = S::Scalar::from_f64(course.order() as f64);

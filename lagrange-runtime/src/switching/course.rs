@@ -16,6 +16,8 @@ pub(super) struct Course<'a, R, const N: usize> {
     pub(super) terms: Terms<'a, R, N>,
     /// The relative truncation error of the motion.
     pub(super) left: R,
+    /// Whether the caller chose the length of the step, and no error bounds it.
+    pub(super) is_paced: bool,
     /// The terms of coordinates and velocities, without those at the end that are zero.
     rows: [&'a [[R; N]]; 2],
 }
@@ -60,13 +62,13 @@ impl<R: Ordered> Gain<R> {
 impl<'a, R: Ordered, const N: usize> Course<'a, R, N> {
     /// The step with these terms, of a motion with this tolerance, whose series follows so many functions.
     /// Terms that are zero from some order on, as in a free flight, are left out.
-    pub(super) fn new(terms: Terms<'a, R, N>, relative: R, followed: usize) -> Self {
+    pub(super) fn new(terms: Terms<'a, R, N>, relative: R, followed: usize, is_paced: bool) -> Self {
         let rows =
             [terms.q, terms.v].each(|rows| known(rows, 1, |row| row.iter().all(|term| term.is_zero())));
         let functions = terms.functions.get(..followed * terms.v.len()).unwrap_or(terms.functions);
         let functions = known(functions, followed, |term| term.is_zero());
         let left = larger(relative, terms.left).part(0);
-        Self { terms: Terms { functions, ..terms }, rows, left }
+        Self { terms: Terms { functions, ..terms }, rows, left, is_paced }
     }
 
     /// Whether nothing moves on the step.

@@ -52,7 +52,7 @@ where
         let narrow = guards.fallen_inside::<M>(&mut memory.inner, constants, control, limits);
         let (mut fall, mut known, mut how) = (None, one, How::Falls);
         if let Some(terms) = M::terms(&memory.inner) {
-            let course = Course::new(terms, limits.relative, S::FOLLOWED);
+            let course = Course::new(terms, limits.relative, S::FOLLOWED, M::IS_PACED);
             let found = guards.first_along(&course, &end, memory.fired, attempts)?;
             let has_none = narrow.is_none() && found.first.is_none() && found.until == one;
             if has_none && guards.all().next().is_none() {
@@ -78,8 +78,9 @@ where
                 How::Falls => guards.at_zero(*guard, parts, sizes, &mut at),
                 How::Shared | How::Touches => Some(*place),
             };
-            // Half the step has hardly a truncation error, if rounding of time leaves room for it.
-            let nearer = S::Scalar::from_f64(0.5) * *place;
+            // Half the step has hardly a truncation error, if rounding of time leaves room for it. A series
+            // of fixed order has its error anyway. Another one from there is a step of Newton's method.
+            let nearer = if M::IS_PACED { *place } else { S::Scalar::from_f64(0.5) * *place };
             first = if zero.is_none() && start.t + nearer * (end.t - start.t) != start.t {
                 known = nearer;
                 None

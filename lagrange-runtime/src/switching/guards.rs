@@ -344,7 +344,7 @@ where
     }
 
     /// The size of the guard of a row in the course of the motion.
-    fn scale(&self, row: usize, scales: &Scales<S::Scalar, C>) -> S::Scalar {
+    pub(super) fn scale(&self, row: usize, scales: &Scales<S::Scalar, C>) -> S::Scalar {
         let Some(&kind) = S::ROWS.get(row) else { return num_traits::Zero::zero() };
         let is_active = self.regime.active[row];
         match kind {

@@ -5,7 +5,7 @@ use core::fmt;
 use super::ended::Ended;
 use super::guards::Guard;
 use super::scales::Scales;
-use super::way::Way;
+use super::way::{Way, is_beyond_rounding};
 use super::{Regime, Row};
 use crate::integrator::jets::JetsMemory;
 use crate::number::real::{Ordered, Real};
@@ -132,6 +132,19 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
     pub(super) fn forget_changes(&mut self) {
         (self.flips, self.changes, self.opened) = ([0; W], 0, [false; C]);
         self.ended = Ended::none();
+    }
+
+    /// Whether more time has passed between two times than rounding hides. If so, the changes of regime
+    /// before it are forgotten.
+    pub(super) fn passes(&mut self, from: R, to: R) -> bool
+    where
+        R: Ordered,
+    {
+        let has_passed = is_beyond_rounding(from, to);
+        if has_passed {
+            self.forget_changes();
+        }
+        has_passed
     }
 
     /// Notes the end of the regime of the piece where a row has `fired`, if it has begun at this time. At a

@@ -66,9 +66,9 @@ where
         } else {
             None
         };
-        let overloaded = M::terms(inner)
-            .filter(|_| self.can_be_overloaded())
-            .and_then(|terms| self.overloaded_inside(&Course::new(terms, limits.relative, S::FOLLOWED)));
+        let overloaded = M::terms(inner).filter(|_| self.can_be_overloaded()).and_then(|terms| {
+            self.overloaded_inside(&Course::new(terms, limits.relative, S::FOLLOWED, M::IS_PACED))
+        });
         let falls = own.into_iter().chain(overloaded);
         falls.reduce(|one, other| if other.0 < one.0 { other } else { one })
     }

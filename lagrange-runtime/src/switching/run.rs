@@ -9,7 +9,7 @@ use super::place::{Event, How};
 use super::scene::{Scene, Status, most};
 use super::standstill::is_at_rest;
 use super::turning::has_pairs;
-use super::way::{Way, is_beyond_rounding, shift};
+use super::way::{Way, shift};
 use super::{Regime, Row, Switching};
 use crate::integrator::jets::probe::restrained;
 use crate::number::elements::{Each, array};
@@ -188,6 +188,9 @@ where
             if t < here.t && S::ROWS.iter().any(|row| *row != Row::Bilateral) {
                 return Err(at(&here, Cause::Irreversible));
             }
+            if M::IS_PACED && self.catches_up().map_err(|cause| at(&here, cause))? {
+                continue;
+            }
             if S::AUTONOMOUS && (rests && self.stays() || C > 0 && self.is_balanced(&here)) {
                 (self.memory.start, self.memory.end) = (here, here.at_time(t));
                 M::restart(&mut self.memory.inner, self.memory.end);
@@ -252,13 +255,13 @@ where
                         return Err(at(&start, cause));
                     }
                 }
-                self.passed(start.t, end.t);
+                self.memory.passes(start.t, end.t);
                 self.come_to_rest().map_err(|cause| at(&end, cause))?;
                 return Ok(());
             };
             let state = event.state;
             self.memory.end = state;
-            let has_passed = self.passed(start.t, state.t);
+            let has_passed = self.memory.passes(start.t, state.t);
             match event.guard.map(|guard| self.switch(guard, &mut event)) {
                 None => self.memory.next = Some((self.memory.regime, state)),
                 Some(Ok(())) => {}
@@ -279,18 +282,8 @@ where
         }
     }
 
-    /// Whether more time has passed than rounding hides. If so, the changes of regime before it are
-    /// forgotten.
-    fn passed(&mut self, from: S::Scalar, to: S::Scalar) -> bool {
-        let has_passed = is_beyond_rounding(from, to);
-        if has_passed {
-            self.memory.forget_changes();
-        }
-        has_passed
-    }
-
     /// Changes the regime where a guard has fired.
-    fn switch(&mut self, guard: Guard, event: &mut Event<S::Scalar, N, W>) -> Result<(), Cause> {
+    pub(super) fn switch(&mut self, guard: Guard, event: &mut Event<S::Scalar, N, W>) -> Result<(), Cause> {
         let memory = &mut *self.memory;
         let (state, mut present) = (memory.end, memory.regime);
         memory.changes += 1;

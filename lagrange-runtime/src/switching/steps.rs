@@ -5,10 +5,13 @@
 //! series of that regime goes on to the end of the step. So the state after a step belongs to one regime, and
 //! its accuracy is that of the order.
 
+use super::guards::{Guard, Guards};
+use super::place::Event;
 use super::run::Run;
-use super::scene::{above, entry, product};
+use super::scene::{above, entry, product, rounding};
 use super::since::{InRegimeSince, Since};
 use super::turning::pairs;
+use super::way::is_beyond_rounding;
 use super::{Hybrid, HybridMemory, Regime, Switching};
 use crate::integrator::jets::JetsMemory;
 use crate::integrator::jets::paced::Paced;
@@ -122,6 +125,40 @@ where
     S::Scalar: Ordered,
     M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
 {
+    /// Changes the regime where a reaction has passed its limit between two steps, and says whether it has.
+    ///
+    /// Series of low order have few orders of reactions or none but their values at the start, so that no
+    /// guard falls on a step. What the step before has left tells.
+    pub(super) fn catches_up(&mut self) -> Result<bool, Cause> {
+        let memory = &*self.memory;
+        let (here, inputs) = (memory.end, &self.control.0);
+        // Where a regime begins, it has been decided that its reactions are within their limits.
+        if !is_beyond_rounding(memory.switched, here.t) {
+            return Ok(false);
+        }
+        let in_regime = &memory.in_regime;
+        let guards = Guards::new(self.system, in_regime, &memory.regime, inputs, &here, false);
+        if !guards.has_reactions() {
+            return Ok(false);
+        }
+        let values = guards.guards_at(&here, &here);
+        // No smaller excess decides about a regime.
+        let least = rounding::<S::Scalar>().sqrt();
+        let exceeds = |guard: &Guard| match guard {
+            Guard::Row(row) if guards.is_of_reactions(*guard) => {
+                let excess = -(values.get(*guard).value + least * guards.scale(*row, &memory.scales));
+                excess.is_positive()
+            }
+            _ => false,
+        };
+        let Some(guard) = guards.all().find(exceeds) else { return Ok(false) };
+        let mut event = Event { guard: Some(guard), ..Event::cut(here) };
+        let State { t, q, v } = here;
+        event.accelerations = in_regime.accelerations_at(&memory.constants, t, &q, &v, inputs);
+        self.switch(guard, &mut event)?;
+        Ok(true)
+    }
+
     /// The time, up to `t` \[s], to which a series can lead whose length nothing else controls. A slip in two
     /// directions that has just begun is slow, so that its direction, and with it friction, may turn within
     /// the time in which the slip doubles. The series converges no further.

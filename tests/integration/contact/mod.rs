@@ -33,6 +33,7 @@ mod legs;
 mod letting_go;
 mod limits_of_rest;
 mod linkages;
+mod low_orders;
 mod narrow;
 mod nested;
 mod normals;
