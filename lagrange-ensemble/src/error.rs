@@ -4,6 +4,8 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::store::MANIFEST;
+
 /// Why a study stopped. Parts that are finished stay, and the same study goes on from them.
 #[derive(Debug)]
 #[non_exhaustive]
@@ -134,11 +136,15 @@ impl fmt::Display for Error {
                  or take another folder",
                 path.display()
             ),
-            Self::Damaged { path, why } => write!(
-                out,
-                "{} is damaged: {why}; run the study again, and it computes this part again",
-                path.display()
-            ),
+            Self::Damaged { path, why } => {
+                let is_manifest = path.extension().is_some_and(|extension| extension == MANIFEST);
+                let advice = if is_manifest {
+                    "delete it and run the study again, which goes on from its parts"
+                } else {
+                    "run the study again, and it computes this part again"
+                };
+                write!(out, "{} is damaged: {why}; {advice}", path.display())
+            }
             Self::NotTheSame { path, index } => write!(
                 out,
                 "motion {index}, computed again, has another result than {} says: the function of the index has changed \

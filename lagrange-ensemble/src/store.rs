@@ -13,6 +13,9 @@ use crate::part;
 use crate::whole;
 use crate::work::Parts;
 
+/// The extension of the file of a manifest.
+pub(crate) const MANIFEST: &str = "json";
+
 /// `NAME.json`, the manifest, and `NAME.parts/`, the parts by number.
 #[derive(Clone, Debug)]
 pub(crate) struct Store {
@@ -32,7 +35,7 @@ impl Store {
     ) -> Result<Self, Error> {
         let name = &fingerprint.name;
         let folder = parent.join(format!("{name}.parts"));
-        let manifest = parent.join(format!("{name}.json"));
+        let manifest = parent.join(format!("{name}.{MANIFEST}"));
         fs::create_dir_all(&folder).map_err(Error::io("make", &folder))?;
         if !manifest.try_exists().map_err(Error::io("read", &manifest))? {
             let text = fingerprint.text().map_err(Error::io("describe", &manifest))?;

@@ -233,6 +233,9 @@ fn another_study_in_the_folder_is_an_error() {
     fs::write(&manifest, "{").expect("written");
     let error = run(numbers(100).in_folder(folder.path()).run());
     assert!(matches!(&error, Error::Damaged { path, .. } if *path == manifest), "{error}");
+    assert!(error.to_string().ends_with("delete it and run the study again, which goes on from its parts"));
+    fs::remove_file(&manifest).expect("deleted");
+    numbers(100).in_folder(folder.path()).run().expect("the study again");
     for name in ["", "a/b", "../a", ".a", "a b"] {
         let error = Study::new(name, 1, |_| Ok(0.0)).in_folder(folder.path()).run().expect_err("no name");
         assert!(matches!(error, Error::InvalidName { .. }), "{error}");

@@ -38,8 +38,8 @@ const FURTHER: f64 = 1.0 / 16.0;
 const HALVINGS: i32 = 40;
 
 /// The part of a guard's terms by which its series may miss it on a step of a length that the caller chose.
-/// The error of such a step is that of its order. The series tells where the guard falls, and the guard itself
-/// where it is zero.
+/// The error of such a step is that of its order. The series tells where the guard falls, and the guard
+/// itself where it is zero.
 const FOLLOWED: f64 = 1.0 / 16.0;
 
 /// The length of a part of a step that is too short to matter, as a multiple of the shortest part on which

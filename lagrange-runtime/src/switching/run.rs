@@ -188,7 +188,7 @@ where
             if t < here.t && S::ROWS.iter().any(|row| *row != Row::Bilateral) {
                 return Err(at(&here, Cause::Irreversible));
             }
-            if M::IS_PACED && self.catches_up().map_err(|cause| at(&here, cause))? {
+            if !M::FOLLOWS_REACTIONS && self.catches_up().map_err(|cause| at(&here, cause))? {
                 continue;
             }
             if S::AUTONOMOUS && (rests && self.stays() || C > 0 && self.is_balanced(&here)) {

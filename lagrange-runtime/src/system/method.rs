@@ -106,6 +106,8 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
 
     /// Whether steps are as long as the caller says, however fast the motion changes.
     const IS_PACED: bool = false;
+    /// Whether a step knows how reactions change on it. If not, what holds is asked where a step begins.
+    const FOLLOWS_REACTIONS: bool = true;
 
     /// Whether its steps may be blind to functions of the system that are narrow.
     const IS_BLIND: bool = false;

@@ -133,6 +133,8 @@ where
 {
     type Memory = JetsMemory<S::JetConstants, S::Tables<ORDER>, S::Scalar, N, ORDER>;
     const IS_PACED: bool = true;
+    // Reactions have two orders fewer than coordinates: below the fourth order straight lines at best.
+    const FOLLOWS_REACTIONS: bool = ORDER > 3;
 
     fn begin(system: &S, start: State<S::Scalar, N>) -> Self::Memory
     where

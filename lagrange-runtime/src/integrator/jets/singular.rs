@@ -24,8 +24,8 @@ use crate::system::state::State;
 /// which coordinates change by their size. So a target close by does not keep a motion where it cannot end.
 const LENGTHS: usize = 64;
 
-/// At so many of these lengths as many constraints may depend on each other as at the start. Where that is the
-/// rule and not the exception, it is found at all of them: functions without kinks depend on each other
+/// At so many of these lengths as many constraints may depend on each other as at the start. Where that is
+/// the rule and not the exception, it is found at all of them: functions without kinks depend on each other
 /// everywhere or at single places.
 const ALIKE: usize = 4;
 
