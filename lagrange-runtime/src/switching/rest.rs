@@ -163,7 +163,7 @@ where
         let zero: S::Scalar = num_traits::Zero::zero();
         let before = struck.map_or([zero; C], |(_, impulses)| *impulses);
         let both = |(v, impulses): Struck<S::Scalar, N, C>| (v, array(|row| before[row] + impulses[row]));
-        if let Some(rest) = self.all_at_rest(scales, tolerance) {
+        if let Some(rest) = self.at_rest(scales, tolerance, None) {
             return Some(both(rest));
         }
         let landed = struck.and_then(|(before, _)| before.landing(&slow));
@@ -183,7 +183,24 @@ where
             let Some(together) = self.closed_together(&slow, scales) else { break };
             found = both(together);
         }
+        // Two feet that strike in turn, of which one sticks and the other slides, leave no motion after an
+        // impact of both.
+        if !self.goes_on(&found.0, scales)
+            && let Some(rest) = self.at_rest(scales, tolerance, Some(accelerations))
+        {
+            return Some(both(rest));
+        }
         Some(found)
+    }
+
+    /// Whether a motion with these velocities goes on from contacts that stay closed.
+    #[cold]
+    fn goes_on(&self, v: &[S::Scalar; N], scales: &Scales<S::Scalar, C>) -> bool {
+        let known = Known { settled: true, only: true, ..Known::struck(self.is_closed) };
+        let state = State { v: *v, ..self.state };
+        let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
+        let open = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
+        scene.choose(&scene.touching(&open), None).is_ok()
     }
 
     /// Which closed contacts open for a negligible time; `None` if no contact does.
@@ -193,26 +210,35 @@ where
         scales: &Scales<S::Scalar, C>,
         tolerance: S::Scalar,
     ) -> Option<[bool; C]> {
-        let resolved = S::Scalar::from_f64(RESOLVED) * S::Scalar::epsilon();
-        let rates = &self.laws.rows.rates;
         let slow: [bool; C] = array(|row| {
-            if !self.is_closed[row] || self.status[row] != Status::Apart {
-                return false;
-            }
-            let (rate, pull) = (rates[row], -self.rate(row, accelerations));
-            let struck = scales.impacts[row];
-            let speed = if struck.is_positive() { struck } else { scales.speeds[row] };
-            // A sine near π is zero, but has the rounding errors of π.
-            let size = most(self.laws.rows.position_sizes[row], self.extent_of(row, &self.state.q));
-            pull.is_positive()
-                && (!above(rate, tolerance * speed)
-                    || !above(rate * rate, (pull + pull) * resolved * size)
-                    || !above(rate, pull * resolved * self.state.t.abs()))
+            let (rate, pull) = (self.laws.rows.rates[row], -self.rate(row, accelerations));
+            self.is_closed[row]
+                && self.status[row] == Status::Apart
+                && pull.is_positive()
+                && !above(rate, self.unseen(row, pull, scales, tolerance))
         });
         slow.contains(&true).then_some(slow)
     }
 
-    /// The same for other velocities; `None` also where no motion follows from them.
+    /// The rate up to which a contact opens for a negligible time, if forces close it with this `pull`.
+    fn unseen(
+        &self,
+        row: usize,
+        pull: S::Scalar,
+        scales: &Scales<S::Scalar, C>,
+        tolerance: S::Scalar,
+    ) -> S::Scalar {
+        let resolved = S::Scalar::from_f64(RESOLVED) * S::Scalar::epsilon();
+        let pull = most(num_traits::Zero::zero(), pull);
+        let struck = entry(&scales.impacts, row);
+        let speed = if struck.is_positive() { struck } else { entry(&scales.speeds, row) };
+        // A sine near π is zero, but has the rounding errors of π.
+        let size = most(entry(&self.laws.rows.position_sizes, row), self.extent_of(row, &self.state.q));
+        let by_gap = ((pull + pull) * resolved * size).sqrt();
+        most(tolerance * speed, most(by_gap, pull * resolved * self.state.t.abs()))
+    }
+
+    /// The slow contacts after other velocities; `None` also where no motion follows from them.
     #[cold]
     fn slow_after(
         &self,
@@ -274,34 +300,46 @@ where
 
     /// The velocities with all closed contacts and their frictions at rest, and the impulses that bring them
     /// there. `None` where the tolerance can tell that one of them moves, or where they would not stay at
-    /// rest.
+    /// rest. With the accelerations of flights it may tell that frictions move. Those that are no faster than
+    /// flights that count as none come to rest, and others go on to slide.
     ///
     /// Parts that rattle on each other, as a tower that has rocked, may never open one contact for longer
     /// than others. They come to rest together.
     #[cold]
-    fn all_at_rest(
+    fn at_rest(
         &self,
         scales: &Scales<S::Scalar, C>,
         tolerance: S::Scalar,
+        flights: Option<&[S::Scalar; N]>,
     ) -> Option<Struck<S::Scalar, N, C>> {
         let rates = &self.laws.rows.rates;
         let is_closed = |row: usize| self.is_closed.get(row) == Some(&true);
+        let moves = |row: usize, contact: usize| {
+            let unseen = match flights {
+                None => tolerance * most(entry(&scales.impacts, row), entry(&scales.speeds, row)),
+                Some(flights) => self.unseen(contact, -self.rate(contact, flights), scales, tolerance),
+            };
+            above(entry(rates, row).abs(), unseen)
+        };
         let holds: [bool; C] = array(|row| match S::ROWS.get(row) {
-            Some(&Row::Friction { normal: Some(normal), .. }) => {
-                is_closed(normal) && !self.is_frictionless(row)
+            Some(&Row::Friction { normal: Some(normal), pair }) => {
+                let slides = || moves(row, normal) || pair.is_some_and(|other| moves(other, normal));
+                is_closed(normal) && !self.is_frictionless(row) && (flights.is_none() || !slides())
             }
             _ => is_closed(row),
         });
         let (zero, mut wanted) = (num_traits::Zero::zero(), [num_traits::Zero::zero(); C]);
         let mut closed = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
         for (row, _) in holds.iter().enumerate().filter(|(_, holds)| **holds) {
-            let (rate, scale) =
-                (entry(rates, row), most(entry(&scales.impacts, row), entry(&scales.speeds, row)));
-            if above(rate.abs(), tolerance * scale) {
+            let contact = match S::ROWS.get(row) {
+                Some(&Row::Friction { normal: Some(normal), .. }) => normal,
+                _ => row,
+            };
+            if moves(row, contact) {
                 return None;
             }
             put(&mut closed.active, row, true);
-            put(&mut wanted, row, -rate);
+            put(&mut wanted, row, -entry(rates, row));
         }
         let State { t, q, v } = &self.state;
         let equations = S::equations_in(&self.system.in_regime(&closed), *t, q, v, self.inputs)?;
