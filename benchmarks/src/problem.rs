@@ -29,15 +29,16 @@ pub struct Problem {
     pub t_end: f64,
     pub start: Vec<f64>,
     pub end: Vec<f64>,
+    /// Motions from other starts.
     #[serde(default)]
-    others: Vec<Motion>,
+    pub others: Vec<Motion>,
 }
 
 /// Another motion of the same system.
 #[derive(Clone, Debug, Deserialize)]
-struct Motion {
-    start: Vec<f64>,
-    end: Vec<f64>,
+pub struct Motion {
+    pub start: Vec<f64>,
+    pub end: Vec<f64>,
 }
 
 impl Problem {

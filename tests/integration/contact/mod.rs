@@ -58,6 +58,7 @@ mod tables;
 mod three_points;
 mod ties;
 mod tilted;
+mod walkers;
 mod wedges;
 mod woodpecker;
 mod zero_loads;
