@@ -160,6 +160,9 @@ impl fmt::Display for Error {
                 out,
                 "{name:?} is no name for a study: take letters, digits, `-`, `_` and, inside, `.`, at most 100 of them"
             ),
+            Self::InvalidColumns { columns: 0, .. } => {
+                out.write_str("a record without columns has nothing to keep: give it at least one")
+            }
             Self::InvalidColumns { names, columns } => write!(
                 out,
                 "{names:?} cannot name {columns} columns: give as many names, different ones, none empty, none of them \

@@ -51,10 +51,15 @@ impl fmt::Display for Stability {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Stable => out.write_str("stable"),
+            Self::Neutral { directions: 1 } => out.write_str("neutral along one direction"),
             Self::Neutral { directions } => write!(out, "neutral along {directions} directions"),
+            Self::Gyroscopic { directions: 1 } => {
+                out.write_str("held by gyroscopic forces against one direction that leads down")
+            }
             Self::Gyroscopic { directions } => {
                 write!(out, "held by gyroscopic forces against {directions} directions that lead down")
             }
+            Self::Unstable { directions: 1 } => out.write_str("unstable: one motion grows"),
             Self::Unstable { directions } => write!(out, "unstable: {directions} motions grow"),
             Self::Undecided => out.write_str("not decided by the linear equations"),
         }
