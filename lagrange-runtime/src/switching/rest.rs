@@ -5,7 +5,7 @@
 //! open so slowly that the tolerance cannot tell, while forces close it again. Then all impacts that would
 //! follow are taken together with this one, and the contact stays closed and at rest.
 
-use super::choice::Sizes;
+use super::choice::{Choice, Sizes};
 use super::impact::Struck;
 use super::known::Known;
 use super::scales::Scales;
@@ -185,7 +185,8 @@ where
         }
         // Two feet that strike in turn, of which one sticks and the other slides, leave no motion after an
         // impact of both.
-        if !self.goes_on(&found.0, scales)
+        let settled = Known { settled: true, only: true, ..Known::struck(self.is_closed) };
+        if self.after(&found.0, scales, &settled).1.is_none()
             && let Some(rest) = self.at_rest(scales, tolerance, Some(accelerations))
         {
             return Some(both(rest));
@@ -193,14 +194,19 @@ where
         Some(found)
     }
 
-    /// Whether a motion with these velocities goes on from contacts that stay closed.
+    /// The scene with other velocities and the choice of the regime that follows; `None` where none does.
     #[cold]
-    fn goes_on(&self, v: &[S::Scalar; N], scales: &Scales<S::Scalar, C>) -> bool {
-        let known = Known { settled: true, only: true, ..Known::struck(self.is_closed) };
+    fn after(
+        &self,
+        v: &[S::Scalar; N],
+        scales: &Scales<S::Scalar, C>,
+        known: &Known<C>,
+    ) -> (Self, Option<Choice<S::Scalar, N, C, W>>) {
         let state = State { v: *v, ..self.state };
-        let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
+        let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, known);
         let open = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
-        scene.choose(&scene.touching(&open), None).is_ok()
+        let choice = scene.choose(&scene.touching(&open), None).ok();
+        (scene, choice)
     }
 
     /// Which closed contacts open for a negligible time; `None` if no contact does.
@@ -246,11 +252,8 @@ where
         scales: &Scales<S::Scalar, C>,
         tolerance: S::Scalar,
     ) -> Option<[bool; C]> {
-        let (state, known) = (State { v: *v, ..self.state }, Known::struck(self.is_closed));
-        let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
-        let open = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
-        let choice = scene.choose(&scene.touching(&open), None).ok()?;
-        scene.slow(&choice.accelerations, scales, tolerance)
+        let (scene, choice) = self.after(v, scales, &Known::struck(self.is_closed));
+        scene.slow(&choice?.accelerations, scales, tolerance)
     }
 
     /// The velocities with these contacts closed, and the impulses that close them.
