@@ -317,28 +317,27 @@ where
     ) -> Option<Struck<S::Scalar, N, C>> {
         let rates = &self.laws.rows.rates;
         let is_closed = |row: usize| self.is_closed.get(row) == Some(&true);
-        let moves = |row: usize, contact: usize| {
-            let unseen = match flights {
-                None => tolerance * most(entry(&scales.impacts, row), entry(&scales.speeds, row)),
-                Some(flights) => self.unseen(contact, -self.rate(contact, flights), scales, tolerance),
+        let moves = |row: usize| {
+            let unseen = match (flights, S::ROWS.get(row)) {
+                (None, _) => tolerance * most(entry(&scales.impacts, row), entry(&scales.speeds, row)),
+                (Some(flights), Some(&Row::Friction { normal: Some(contact), .. })) => {
+                    self.unseen(contact, -self.rate(contact, flights), scales, tolerance)
+                }
+                (Some(flights), _) => self.unseen(row, -self.rate(row, flights), scales, tolerance),
             };
             above(entry(rates, row).abs(), unseen)
         };
         let holds: [bool; C] = array(|row| match S::ROWS.get(row) {
             Some(&Row::Friction { normal: Some(normal), pair }) => {
-                let slides = || moves(row, normal) || pair.is_some_and(|other| moves(other, normal));
-                is_closed(normal) && !self.is_frictionless(row) && (flights.is_none() || !slides())
+                let slides = || flights.is_some() && (moves(row) || pair.is_some_and(moves));
+                is_closed(normal) && !self.is_frictionless(row) && !slides()
             }
             _ => is_closed(row),
         });
         let (zero, mut wanted) = (num_traits::Zero::zero(), [num_traits::Zero::zero(); C]);
         let mut closed = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
         for (row, _) in holds.iter().enumerate().filter(|(_, holds)| **holds) {
-            let contact = match S::ROWS.get(row) {
-                Some(&Row::Friction { normal: Some(normal), .. }) => normal,
-                _ => row,
-            };
-            if moves(row, contact) {
+            if moves(row) {
                 return None;
             }
             put(&mut closed.active, row, true);
