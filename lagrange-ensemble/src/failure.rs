@@ -46,3 +46,17 @@ impl<R: Into<f64>> From<MotionError<R>> for Failure {
         Self::at(error.t.into(), error.cause)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_failure_that_is_read_back_has_the_time_that_was_written() {
+        for k in 1..10_000 {
+            let failure = Failure::at(f64::from(k).sqrt() * 1e-3, "a cause");
+            let text = serde_json::to_string(&failure).expect("text");
+            assert_eq!(serde_json::from_str::<Failure>(&text).expect("the failure"), failure);
+        }
+    }
+}

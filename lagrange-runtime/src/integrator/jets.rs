@@ -10,8 +10,8 @@
 //! of 20 links. Where that is too much, take fixed steps by [`Jet`](crate::Jet), whose tables end at its own
 //! order.
 //!
-//! Coefficients are those of time in units of the last step, so none over- or underflows in any units of
-//! mass, length and time.
+//! Coefficients are those of time in units of a power of two near the last step. So none over- or underflows
+//! in any units of mass, length and time, and none has a rounding error of the unit.
 
 mod expansion;
 pub(crate) mod fall;
@@ -46,6 +46,11 @@ pub struct Jets;
 /// with the square of the order (Jorba and Zou); here it grows more slowly. Measured on the systems of the
 /// benchmarks.
 const ORDERS_PER_DIGIT: f64 = 0.8;
+
+/// The same where the tolerance means the accuracy of rounding. The terms of a long step are much larger than
+/// their sum, and so are their rounding errors: those of an oscillation add up to exp(ωt), while the number
+/// of steps falls with ωt alone. This order ends steps near ωt = 1, where both are least.
+const ORDERS_AT_ROUNDING: f64 = 0.5;
 
 /// exp(−1 / `ORDERS_PER_DIGIT`): the ratio of successive terms of a series at the tolerated length.
 const DECAY: f64 = 0.29;
@@ -87,6 +92,8 @@ pub(crate) const NEAR: f64 = 64.0;
 #[inline]
 pub(crate) fn orders<R: Ordered>(relative: R, per_digit: f64) -> usize {
     let digits = -last_term(relative).ln();
+    let at_rounding = relative <= R::from_f64(AT_ROUNDING) * R::epsilon();
+    let per_digit = if at_rounding { ORDERS_AT_ROUNDING } else { per_digit };
     let mut orders = 4;
     // The smallest integer that is not below a number, for a generic scalar.
     while orders < HIGHEST && R::from_f64(orders as f64) < R::from_f64(per_digit) * digits + R::one() {
@@ -299,5 +306,7 @@ mod tests {
             assert_eq!(orders(tolerance, 0.8), order, "{tolerance:e}");
         }
         assert_eq!(orders(1e-14, 10.0), HIGHEST);
+        // One more than half of −ln(1e-3 ulps) = 43.0.
+        assert_eq!(orders(1e-15, 0.8), 23);
     }
 }

@@ -23,6 +23,9 @@ pub use dual::Dual;
 mod lanes;
 #[cfg(feature = "wide")]
 pub use lanes::Lanes;
+mod ordered;
+pub use ordered::Ordered;
+pub(crate) use ordered::{any, extent, larger, smaller};
 mod vector;
 pub use vector::Vector;
 
@@ -114,6 +117,24 @@ pub trait Real:
     #[must_use]
     fn infinitesimal(_direction: usize) -> Self {
         Self::zero()
+    }
+
+    /// A power of two that is at most a positive number, up to rounding, and more than its half. The default
+    /// is the number itself.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn binade(self) -> Self {
+        self
+    }
+
+    /// A power of two divided by an order. `dither`, from −1 to 1, decides which of the numbers around the
+    /// quotient is taken, such that the mean over all of them is exact. The default takes the nearest one.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn over_order(self, order: usize, _dither: Self) -> Self {
+        self / Self::from_f64(order as f64)
     }
 
     /// The nearest value to a constant that is not a double, such as a tenth or ln 2. `high` is the double
@@ -357,36 +378,6 @@ pub trait Real:
 
 /// 2¹²⁷, the largest power of two in `f32`.
 const LARGEST_DIGIT: f32 = f32::from_bits(0x7f00_0000);
-
-/// A scalar with an order, and so with one lane. Motions under error control need it. It is implemented for
-/// every [`Real`] that can be compared.
-pub trait Ordered: Real + PartialOrd {}
-
-impl<R: Real + PartialOrd> Ordered for R {}
-
-/// Whether a number is positive in any lane.
-#[inline]
-pub(crate) fn any<R: Real>(number: R) -> bool {
-    number.largest() > num_traits::Zero::zero()
-}
-
-/// The larger of two ordered scalars; the second if they cannot be compared.
-#[inline]
-pub(crate) fn larger<R: PartialOrd>(a: R, b: R) -> R {
-    if a > b { a } else { b }
-}
-
-/// The smaller of two ordered scalars; the second if they cannot be compared.
-#[inline]
-pub(crate) fn smaller<R: PartialOrd>(a: R, b: R) -> R {
-    if a < b { a } else { b }
-}
-
-/// The largest of a number and its derivatives, without signs.
-#[inline]
-pub(crate) fn extent<R: Ordered>(x: R) -> R {
-    (0..R::PARTS).fold(R::zero(), |most, part| larger(most, x.part(part).abs()))
-}
 
 #[cfg(test)]
 pub(crate) mod tests;

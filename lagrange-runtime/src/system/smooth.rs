@@ -3,6 +3,7 @@
 use crate::linear::Independence;
 use crate::number::elements::array;
 use crate::number::real::Real;
+use crate::series::unit::TimeUnit;
 use crate::system::System;
 
 /// A system whose motion is analytic, with the recurrences of its Taylor coefficients.
@@ -41,7 +42,7 @@ pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
         q: &[Self::Scalar; N],
         v: &[Self::Scalar; N],
         u: &[Self::Scalar; K],
-        h: Self::Scalar,
+        h: impl TimeUnit<Self::Scalar>,
         orders: usize,
         tables: &mut Self::Tables<P>,
         series: &mut Series<Self::Scalar, N, P>,
@@ -88,6 +89,13 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
     /// neither waits for the other.
     #[inline]
     pub fn gain(&self, theta: R, orders: usize) -> ([R; N], [R; N]) {
+        let (q, v) = self.rates(theta, orders);
+        (array(|i| q[i] * theta), array(|i| v[i] * theta))
+    }
+
+    /// The same changes, divided by `theta`.
+    #[inline]
+    pub(crate) fn rates(&self, theta: R, orders: usize) -> ([R; N], [R; N]) {
         let zero = [R::zero(); N];
         let (mut odd, mut even) = ((zero, zero), (zero, zero));
         let square = theta * theta;
@@ -108,8 +116,8 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
         }
         // Where both sums cancel, what is left has no errors of theirs.
         for i in 0..N {
-            odd.0[i] = R::mul_add(even.0[i], theta, odd.0[i]) * theta;
-            odd.1[i] = R::mul_add(even.1[i], theta, odd.1[i]) * theta;
+            odd.0[i] = R::mul_add(even.0[i], theta, odd.0[i]);
+            odd.1[i] = R::mul_add(even.1[i], theta, odd.1[i]);
         }
         odd
     }

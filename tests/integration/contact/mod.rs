@@ -27,6 +27,7 @@ mod joins;
 mod kinked_gaps;
 mod kinks;
 mod knocks;
+mod last_digits;
 mod laws;
 mod leashes;
 mod legs;

@@ -24,8 +24,9 @@ where
 {
     memory.counts.evaluations += 1;
     memory.is_as_expanded = true;
-    let JetsMemory { constants, tables, series, orders, unit, .. } = memory;
-    system.jet_at(constants, from.t, &from.q, &from.v, &control.0, *unit, *orders, tables, series)
+    let unit = memory.take_unit();
+    let JetsMemory { constants, tables, series, orders, .. } = memory;
+    system.jet_at(constants, from.t, &from.q, &from.v, &control.0, unit, *orders, tables, series)
 }
 
 /// The same as a function of its own.
@@ -84,7 +85,8 @@ where
             return Err(Cause::TooManySteps);
         }
         *attempts -= 1;
-        memory.unit = left.signum() * unit;
+        let power = unit.binade();
+        memory.unit = left.signum() * power;
         // The compiler optimises one copy of the code better than several, but that of a free motion best
         // where it is called.
         let solved = if S::CONSTRAINED {
@@ -95,13 +97,14 @@ where
         if !solved {
             return Err(Cause::NotFinite);
         }
-        let steady = remembered && !rescaled;
-        let mut tolerated = memory.tolerated(limits, num_traits::One::one(), steady);
-        let mut span = number(1.0);
+        // The length that is expected.
+        let (near, steady) = (unit / power, remembered && !rescaled);
+        let mut span = near;
+        let mut tolerated = memory.tolerated(limits, span, near, steady);
         // In a unit much longer than the step, the first terms do not measure the size of a component.
         while tolerated < number(0.5) * span && tolerated * number(NEAR * NEAR) > num_traits::One::one() {
             span = tolerated;
-            tolerated = memory.tolerated(limits, span, steady);
+            tolerated = memory.tolerated(limits, span, near, steady);
         }
         let is_finite = memory.is_finite();
         if is_finite && tolerated == number(f64::INFINITY) {
@@ -117,7 +120,7 @@ where
             && tolerated * number(NEAR) > num_traits::One::one()
         {
             // In a longer unit coefficients overflow, so the step is shorter than the tolerance allows.
-            let natural = smaller(tolerated, number(NEAR)) * unit;
+            let natural = smaller(tolerated, number(NEAR)) * power;
             return Ok(Some(natural));
         }
         // In a unit far from the step, coefficients are near the ends of the range of numbers, or beyond. A
@@ -130,7 +133,7 @@ where
         // no size but in the unit. The shorter unit is safe.
         overflowed |= lengthened && factor < num_traits::One::one();
         lengthened |= factor > num_traits::One::one();
-        unit *= factor;
+        unit = power * factor;
         rescaled = true;
         memory.counts.rejected += 1;
         if step_size::is_below(unit, resolution) {

@@ -8,16 +8,20 @@ use super::fall::{bounded, reach, steepest};
 use super::{DECAY, GROWTH, ORDERS_PER_DIGIT, SAFETY, last_term, orders};
 use crate::constraints::Footing;
 use crate::linear::Independence;
-use crate::number::compensated::add;
+use crate::number::compensated::{add, add_product};
 use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::series::HIGHEST;
+use crate::series::unit::Binade;
 use crate::system::attitude;
 use crate::system::error::Cause;
 use crate::system::limits::Limits;
 use crate::system::method::{Steps, Terms};
 use crate::system::smooth::Series;
 use crate::system::state::State;
+
+/// Twice the fractional part of the golden ratio.
+const TWICE_GOLDEN: f64 = 1.236_067_977_499_79;
 
 /// The memory of [`Jets`] and of `Paced` between steps, with series to order `P`.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +43,8 @@ pub struct JetsMemory<C, T, R, const N: usize, const P: usize = HIGHEST> {
     pub(super) residue: State<R, N>,
     /// Unit of time of the coefficients \[s], with the direction of the motion.
     pub(super) unit: R,
+    /// The dither of the last expansion ([`Binade`]).
+    dither: R,
     /// The unit of the next step, without direction; zero if not known.
     pub(super) next: R,
     /// Length of the last step \[s], without direction; zero before the first.
@@ -71,6 +77,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
             start,
             residue: zero,
             unit: R::zero(),
+            dither: R::zero(),
             next: R::zero(),
             last: R::zero(),
             strongest: [R::zero(); N],
@@ -81,6 +88,16 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
             end_residue: zero,
             counts: Steps::default(),
         }
+    }
+
+    /// The unit of the next expansion: a power of two, with another dither. Its sequence fills the interval
+    /// evenly whatever the steps do. (L. Kuipers and H. Niederreiter, "Uniform Distribution of Sequences",
+    /// Wiley 1974, § 2.3: multiples of the golden ratio.)
+    #[inline(always)]
+    pub(super) fn take_unit(&mut self) -> Binade<R> {
+        let next = self.dither + R::from_f64(TWICE_GOLDEN);
+        self.dither = if next > R::one() { next - R::from_f64(2.0) } else { next };
+        Binade { power: self.unit, dither: self.dither }
     }
 
     /// Derives the order from the tolerance, if that has changed.
@@ -119,13 +136,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
             return self.end;
         }
         let theta = ((t - self.start.t) - self.residue.t) / self.unit;
-        let mut state = self.start.at_time(t);
-        let (gain_q, gain_v) = self.series.gain(theta, self.orders);
-        for i in 0..N {
-            state.q[i] += gain_q[i] + self.residue.q[i];
-            state.v[i] += gain_v[i] + self.residue.v[i];
-        }
-        state
+        self.moved(theta)[0].at_time(t)
     }
 
     /// Forgets the motion before a state, except the unit of the next step and the counts.
@@ -160,35 +171,32 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
             return self.end;
         }
         let length = (self.end.t - self.start.t) + (self.end_residue.t - self.residue.t);
-        let mut state = self.start.at_time(self.start.t + part * length);
-        let (gain_q, gain_v) = self.series.gain(part * length / self.unit, self.orders);
-        for i in 0..N {
-            state.q[i] += gain_q[i] + self.residue.q[i];
-            state.v[i] += gain_v[i] + self.residue.v[i];
-        }
-        state
+        self.moved(part * length / self.unit)[0].at_time(self.start.t + part * length)
     }
 
     /// The state at `theta` units of the scaled time.
     pub(super) fn state_at(&self, theta: R) -> State<R, N> {
-        let (gain_q, gain_v) = self.series.gain(theta, self.orders);
-        let mut state = self.start.at_time(self.start.t + theta * self.unit);
+        self.moved(theta)[0].at_time(self.start.t + theta * self.unit)
+    }
+
+    /// The coordinates and velocities at `theta` units of the scaled time, with the time of the start, and
+    /// their residues.
+    #[inline]
+    fn moved(&self, theta: R) -> [State<R, N>; 2] {
+        let (rates_q, rates_v) = self.series.rates(theta, self.orders);
+        let [mut state, mut residue] = [self.start, self.residue];
         for i in 0..N {
-            state.q[i] += gain_q[i];
-            state.v[i] += gain_v[i];
+            (state.q[i], residue.q[i]) = add_product(state.q[i], residue.q[i], rates_q[i], theta);
+            (state.v[i], residue.v[i]) = add_product(state.v[i], residue.v[i], rates_v[i], theta);
         }
-        state
+        [state, residue]
     }
 
     /// Moves the end of the step to `length` units of the scaled time.
     #[inline]
     pub(super) fn reach(&mut self, length: R) {
-        let (gain_q, gain_v) = self.series.gain(length, self.orders);
+        [self.end, self.end_residue] = self.moved(length);
         (self.end.t, self.end_residue.t) = add(self.start.t, self.residue.t, length * self.unit);
-        for i in 0..N {
-            (self.end.q[i], self.end_residue.q[i]) = add(self.start.q[i], self.residue.q[i], gain_q[i]);
-            (self.end.v[i], self.end_residue.v[i]) = add(self.start.v[i], self.residue.v[i], gain_v[i]);
-        }
     }
 
     /// Makes time run in the other direction: the unit changes its sign, and so do the coefficients of odd
@@ -252,25 +260,25 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     /// Terms before the last two shorten it where these are small by chance: see [`super::fall`].
     ///
     /// The size of a component is that of its first terms over `span`, which should be about the length
-    /// itself. With `steady` the unit is the length that error control gave the last step.
+    /// itself. `near` is the length that is expected. With `steady` error control gave it to the last step.
     ///
     /// Of numbers with derivatives each component of each derivative has its own size, as coordinates have.
     #[inline]
-    pub(super) fn tolerated(&self, limits: &Limits<R>, span: R, steady: bool) -> R {
-        let length = |part| self.tolerated_by(limits, span, steady, part);
+    pub(super) fn tolerated(&self, limits: &Limits<R>, span: R, near: R, steady: bool) -> R {
+        let length = |part| self.tolerated_by(limits, span, near, steady, part);
         R::splat((1..R::PARTS).fold(length(0), |least, part| smaller(least, length(part))))
     }
 
     /// The same for the values or one of their derivatives.
     #[inline]
-    fn tolerated_by(&self, limits: &Limits<R>, span: R, steady: bool, part: usize) -> R::Lane {
+    fn tolerated_by(&self, limits: &Limits<R>, span: R, near: R, steady: bool, part: usize) -> R::Lane {
         let p = self.orders;
         let weights = self.weights(limits, span, part);
         let term = |order| self.term(&weights, order, part);
         // The ratio of successive terms at the tolerated length.
-        let decay = R::Lane::from_f64(DECAY);
-        let length = reach(larger(term(p), decay * term(p - 1)), p);
-        if steady && length <= R::Lane::from_f64(GROWTH) {
+        let (near, decay) = (near.largest(), R::Lane::from_f64(DECAY));
+        let length = reach(larger(term(p), decay / near * term(p - 1)), p);
+        if steady && length <= R::Lane::from_f64(GROWTH) * near {
             return length;
         }
         bounded(p, self.steepest.largest(), length, term)

@@ -222,6 +222,11 @@ impl Real for DoubleDouble {
     }
 
     #[inline]
+    fn binade(self) -> Self {
+        Self::from(self.high.binade())
+    }
+
+    #[inline]
     fn signum(self) -> Self {
         Self::from(self.high.signum())
     }

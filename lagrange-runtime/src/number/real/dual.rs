@@ -217,6 +217,14 @@ impl<R: Real, const D: usize> Real for Dual<R, D> {
         self.value.is_positive()
     }
     #[inline]
+    fn binade(self) -> Self {
+        Self::constant(self.value.binade())
+    }
+    #[inline]
+    fn over_order(self, order: usize, dither: Self) -> Self {
+        Self::constant(self.value.over_order(order, dither.value))
+    }
+    #[inline]
     fn signum(self) -> Self {
         Self::constant(self.value.signum())
     }
