@@ -51,10 +51,10 @@ where
 {
     /// The activity of each contact, friction and constraint, by name: `motion.contacts().floor`.
     ///
-    /// It is known from the first step on. It belongs to the end of the integrator's last step, which is
-    /// ahead of [`Simulation::state`] if that is a sample.
+    /// It belongs to the present state: where the regime changes there, to the state after the change. It is
+    /// known from the first step on.
     pub fn contacts(&self) -> S::Rows<Contact> {
-        let regime = self.memory.regime();
+        let (regime, _) = self.memory.at(self.t());
         let is_active = |row: usize| regime.active.get(row).copied().unwrap_or(false);
         let zero = num_traits::Zero::zero();
         let slips = |row: usize| regime.slip.get(row).is_some_and(|&slip| slip != zero);
@@ -69,15 +69,13 @@ where
         .into()
     }
 
-    /// The impulses of the last change of the regime, by name: `motion.impulses().floor`. They have the
+    /// The impulses of the last change of the regime up to the present state, by name:
+    /// `motion.impulses().floor`. They have the
     /// directions of the reactions, and are in N s where a reaction is in N. All are zero where it was no
     /// impact. Where infinitely many impacts are taken together, they contain the impulses of the plastic
     /// impact that stands for those that would follow.
-    ///
-    /// Ask after [`Simulation::advance_to_switch`]: like the contacts, they belong to the end of the
-    /// integrator's last step.
     pub fn impulses(&self) -> S::Rows<S::Scalar> {
-        (*self.memory.impulses()).into()
+        (*self.memory.at(self.t()).1).into()
     }
 
     /// Moves to the next change of the regime up to time `until` \[s], which is included, and forward in time

@@ -72,6 +72,7 @@ where
             end: start,
             next: None,
             impulses: [num_traits::Zero::zero(); C],
+            begun_by: [num_traits::Zero::zero(); C],
             switched: start.t,
             told: None,
             tells: false,
@@ -115,6 +116,7 @@ where
         // A state on a kink is on the side on which the motion was. Which way friction slipped tells nothing
         // about a body that has been put at rest.
         memory.regime = Regime { kinks: memory.regime.kinks, ..Regime::open(&S::ROWS) };
+        (memory.impulses, memory.begun_by) = ([num_traits::Zero::zero(); C], [num_traits::Zero::zero(); C]);
     }
 
     fn start(memory: &Self::Memory) -> &State<S::Scalar, N> {

@@ -32,7 +32,9 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) is_cut: bool,
     /// The impulses of the last change of regime, zero where it was no impact.
     pub(super) impulses: [R; C],
-    /// The time of that change. A slip in two directions that comes to rest does so after the piece, and one
+    /// The impulses of the change of regime before the piece.
+    pub(super) begun_by: [R; C],
+    /// The time of the last change. A slip in two directions that comes to rest does so after the piece, and one
     /// that begins is followed from a little later on.
     pub(super) switched: R,
     /// The time of the last change of regime that has been told; `None` before the first.
@@ -185,14 +187,18 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         }
     }
 
-    /// The impulses of the last change of the regime.
-    pub fn impulses(&self) -> &[R; C] {
-        &self.impulses
-    }
-
     /// Which contacts are closed and which frictions stick or slip after the piece.
     pub fn regime(&self) -> &Regime<R, C, W> {
         self.next.as_ref().map_or(&self.regime, |(regime, _)| regime)
+    }
+
+    /// Which of them do so at time `t` in or after the piece, and the impulses of the last change of regime
+    /// up to then.
+    pub(super) fn at(&self, t: R) -> (&Regime<R, C, W>, &[R; C]) {
+        match &self.next {
+            Some((regime, _)) if self.is_way || self.beside(t).is_some() => (regime, &self.impulses),
+            _ => (&self.regime, &self.begun_by),
+        }
     }
 }
 

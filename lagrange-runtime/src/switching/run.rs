@@ -56,7 +56,7 @@ where
         memory.constants = memory.in_regime.constants();
         M::go_on(&mut memory.inner, &memory.in_regime, state);
         (memory.start, memory.end, memory.next) = (state, state, None);
-        memory.is_way = false;
+        (memory.is_way, memory.begun_by) = (false, memory.impulses);
     }
 
     /// The regime and the state that follow a state: after its impact, projected onto the regime, moved by

@@ -41,6 +41,7 @@ mod normals;
 mod onsets;
 mod overloads;
 mod piles;
+mod present;
 mod pulses;
 mod random;
 mod reactions;
