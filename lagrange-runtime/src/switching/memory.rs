@@ -34,8 +34,8 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) impulses: [R; C],
     /// The impulses of the change of regime before the piece.
     pub(super) begun_by: [R; C],
-    /// The time of the last change. A slip in two directions that comes to rest does so after the piece, and one
-    /// that begins is followed from a little later on.
+    /// The time of the last change. A slip in two directions that comes to rest does so after the piece, and
+    /// one that begins is followed from a little later on.
     pub(super) switched: R,
     /// The time of the last change of regime that has been told; `None` before the first.
     pub(super) told: Option<R>,
