@@ -118,6 +118,8 @@ where
             None if known < one => (known, None),
             None => return Ok(None),
         };
+        // The polynomial gives the state at the zero itself, too.
+        let exact = if S::InRegime::CONSTRAINED || passed.is_none() { None } else { at(part) };
         // A state belongs to a rounded time. The time without rounding, or else the guard, tells how much
         // rounding has moved it.
         let span = end.t - start.t;
@@ -164,10 +166,14 @@ where
         event.accelerations = in_regime.accelerations_at(constants, t, &q, &v, inputs);
         // The place of an event has rounding errors. What forces do on the way from there to the zero of the
         // guard would change the energy in each regime by another amount.
-        event.go_back();
+        match exact {
+            Some(exact) => event.place = exact.at_time(state.t),
+            None => event.go_back(late),
+        }
         if let Some(earlier) = &earlier {
-            event.late += guards.late(guard, [earlier, &event.place]).part(0);
-            event.go_back();
+            let late = guards.late(guard, [earlier, &event.place]).part(0);
+            event.late += late;
+            event.go_back(late);
         }
         if let Guard::Kink(fired) = guard {
             let earlier = if W > 1 { earlier.map_or_else(|| at_time(before), Ok)? } else { start };

@@ -71,7 +71,7 @@ where
             self.strike(&Demand { restitution: *restitution, given: [zero; C] })
         };
         let strike = if let Some(strike) = by_law.ok().filter(|strike| !self.gains(strike)) {
-            strike
+            return Ok((self.left_by(&strike), strike.impulses));
         } else {
             let plastic = self.strike(&Demand::plastic())?;
             let mut least: S::Scalar = num_traits::One::one();
@@ -94,6 +94,24 @@ where
             Impulses { changes: plastic.changes.each(more), impulses: plastic.impulses.each(more), ..plastic }
         };
         Ok((array(|i| self.state.v[i] + strike.changes[i]), strike.impulses))
+    }
+
+    /// The velocities after the impulses of the laws. Where a single contact holds, the changes are all in
+    /// proportion to its impulse. What roundings leave of its law is then made up for, since a change is larger
+    /// than what follows it, and so are its roundings.
+    fn left_by(&self, strike: &Impulses<S::Scalar, N, C>) -> [S::Scalar; N] {
+        let (v, changes) = (&self.state.v, &strike.changes);
+        let after = array(|i| v[i] + changes[i]);
+        let mut active = (0..C).filter(|&row| strike.active[row]);
+        let (Some(row), None) = (active.next(), active.next()) else { return after };
+        if self.status[row] != Status::Meets || S::POISSON[row] {
+            return after;
+        }
+        let (gradient, before) = (&self.gradients[row], self.laws.rows.rates[row]);
+        let driven = before - product(gradient, v);
+        let lack = -(self.laws.restitution[row] * before) - (product(gradient, &after) + driven);
+        let share = lack / product(gradient, changes);
+        if share.is_finite() { array(|i| Real::mul_add(share, changes[i], after[i])) } else { after }
     }
 
     /// The velocities after an impact that leaves contacts closed, and its impulses.

@@ -41,9 +41,8 @@ impl<R: Real, const N: usize, const W: usize> Event<R, N, W> {
         Self { state, guard: None, how: How::Falls, late: zero, accelerations, place: state, crossed }
     }
 
-    /// Takes the place back from the state, by its delay.
-    pub(super) fn go_back(&mut self) {
-        self.place = self.state;
-        shift(&mut self.place, &self.accelerations, -self.late);
+    /// Takes the place back by a delay.
+    pub(super) fn go_back(&mut self, late: R) {
+        shift(&mut self.place, &self.accelerations, -late);
     }
 }

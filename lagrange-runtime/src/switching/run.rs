@@ -317,7 +317,8 @@ where
         self.memory.note_end(&S::ROWS, fired);
         if S::Scalar::PARTS > 1 {
             self.complete(guard, &mut event.accelerations, state.t);
-            event.go_back();
+            event.place = state;
+            event.go_back(event.late);
         }
         // What has held is at rest, whatever the roundings of its rate are. At a kink the rate may jump.
         let rested = if fired.is_some() { present.active } else { [false; C] };
