@@ -96,9 +96,9 @@ where
         Ok((array(|i| self.state.v[i] + strike.changes[i]), strike.impulses))
     }
 
-    /// The velocities after the impulses of the laws. Where a single contact holds, the changes are all in
-    /// proportion to its impulse. What roundings leave of its law is then made up for, since a change is larger
-    /// than what follows it, and so are its roundings.
+    /// The velocities after the impulses of the laws. Where a single contact holds, all changes are in
+    /// proportion to its impulse. A change is larger than the velocity that it leaves, and so are its
+    /// roundings. They are made up for by what the rate of the contact lacks of its law.
     fn left_by(&self, strike: &Impulses<S::Scalar, N, C>) -> [S::Scalar; N] {
         let (v, changes) = (&self.state.v, &strike.changes);
         let after = array(|i| v[i] + changes[i]);
