@@ -52,7 +52,8 @@ const ORDERS_PER_DIGIT: f64 = 0.8;
 /// of steps falls with ωt alone. This order ends steps near ωt = 1, where both are least.
 const ORDERS_AT_ROUNDING: f64 = 0.5;
 
-/// exp(−1 / `ORDERS_PER_DIGIT`): the ratio of successive terms of a series at the tolerated length.
+/// exp(−1 / `ORDERS_PER_DIGIT`): the ratio of successive terms of a series at the tolerated length. At the
+/// accuracy of rounding terms fall faster, which is on the safe side.
 const DECAY: f64 = 0.29;
 
 /// Safety factor: the last term of a series falls to this part of the tolerance. The sum of all terms after
