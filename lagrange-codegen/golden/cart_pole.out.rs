@@ -496,7 +496,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
             q: &[R; 2],
             v: &[R; 2],
             u: &[R; 1],
-            h: impl lagrange::jets::TimeUnit<R>,
+            h: R,
             orders: usize,
             tables: &mut lagrange::Tables<R, 4, ORDERS>,
             series: &mut lagrange::Series<R, 2, ORDERS>,

@@ -729,7 +729,7 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
             q: &[f64; 2],
             v: &[f64; 2],
             _u: &[f64; 0],
-            h: impl lagrange::jets::TimeUnit<f64>,
+            h: f64,
             orders: usize,
             tables: &mut lagrange::Tables<f64, 4, ORDERS>,
             series: &mut lagrange::Series<f64, 2, ORDERS>,

@@ -449,7 +449,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
             q: &[f64; 2],
             v: &[f64; 2],
             _u: &[f64; 0],
-            h: impl lagrange::jets::TimeUnit<f64>,
+            h: f64,
             orders: usize,
             tables: &mut lagrange::Tables<f64, 12, ORDERS>,
             series: &mut lagrange::Series<f64, 2, ORDERS>,

@@ -513,7 +513,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
             q: &[f64; 3],
             v: &[f64; 3],
             _u: &[f64; 0],
-            h: impl lagrange::jets::TimeUnit<f64>,
+            h: f64,
             orders: usize,
             tables: &mut lagrange::Tables<f64, 12, ORDERS>,
             series: &mut lagrange::Series<f64, 3, ORDERS>,

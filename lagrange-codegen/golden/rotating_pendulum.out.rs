@@ -698,7 +698,7 @@ The first identity that does not hold, and by how much.*/
             q: &[f64; 1],
             v: &[f64; 1],
             _u: &[f64; 0],
-            h: impl lagrange::jets::TimeUnit<f64>,
+            h: f64,
             orders: usize,
             tables: &mut lagrange::Tables<f64, 4, ORDERS>,
             series: &mut lagrange::Series<f64, 1, ORDERS>,

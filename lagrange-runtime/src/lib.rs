@@ -150,7 +150,6 @@ pub mod __private {
         pub use crate::series::tables::{
             Convolutions, Pairs, in_line, in_turn, index, multiplier, rate, time,
         };
-        pub use crate::series::unit::TimeUnit;
     }
     pub use crate::analysis::verify::{self, Certificate, Verifiable, Violation};
     pub use crate::switching::{

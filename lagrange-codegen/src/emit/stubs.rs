@@ -203,8 +203,7 @@ fn smooth(
             fn jet_constants(&self) {}
             fn jet_at<const ORDERS: usize>(
                 &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count], _: &[#scalar; #inputs],
-                _: impl lagrange::jets::TimeUnit<#scalar>, _: usize, _: &mut (),
-                _: &mut lagrange::Series<#scalar, #count, ORDERS>
+                _: #scalar, _: usize, _: &mut (), _: &mut lagrange::Series<#scalar, #count, ORDERS>
             ) -> bool { loop {} }
         }
     }

@@ -10,8 +10,8 @@
 //! of 20 links. Where that is too much, take fixed steps by [`Jet`](crate::Jet), whose tables end at its own
 //! order.
 //!
-//! Coefficients are those of time in units of a power of two near the last step. So none over- or underflows
-//! in any units of mass, length and time, and none has a rounding error of the unit.
+//! Coefficients are those of time in units of the last step, so none over- or underflows in any units of
+//! mass, length and time.
 
 mod expansion;
 pub(crate) mod fall;

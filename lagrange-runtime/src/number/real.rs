@@ -128,15 +128,6 @@ pub trait Real:
         self
     }
 
-    /// A power of two divided by an order. `dither`, from −1 to 1, decides which of the numbers around the
-    /// quotient is taken, such that the mean over all of them is exact. The default takes the nearest one.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn over_order(self, order: usize, _dither: Self) -> Self {
-        self / Self::from_f64(order as f64)
-    }
-
     /// The nearest value to a constant that is not a double, such as a tenth or ln 2. `high` is the double
     /// nearest to it, `low` the one nearest to the difference. The default ignores `low`, which is right for
     /// scalars with no more digits than `f64`.

@@ -4,7 +4,6 @@ pub mod columns;
 pub mod followed;
 pub mod tables;
 pub(crate) mod taylor;
-pub mod unit;
 
 /// The highest order of the series of a motion.
 pub(crate) const HIGHEST: usize = 32;

@@ -11,7 +11,6 @@
 use core::marker::PhantomData;
 use core::ops::Range;
 
-use super::unit::TimeUnit;
 use crate::number::real::Real;
 
 /// The most products whose sums are written out in the code that uses them.
@@ -254,14 +253,14 @@ pub fn in_line<const P: usize>(orders: usize, mut expand: impl FnMut(usize) -> b
     }
 }
 
-/// h / order.
+/// h / order. Not h · (1 / order): the rounding of 1/3 would have the same sign in every step, and the energy
+/// would drift with the number of steps instead of its root.
 #[inline(always)]
-pub fn rate<R, H: TimeUnit<R>>(h: H, order: usize) -> R {
-    h.over(order)
+pub fn rate<R: Real>(h: R, order: usize) -> R {
+    h / R::from_f64(order as f64)
 }
 
-/// The order as a number, to divide by: the rounding of its reciprocal would have the same sign in every
-/// step.
+/// The order as a number, to divide by: a multiplication by its reciprocal would have the bias of [`rate`].
 #[inline(always)]
 pub fn index<R: Real>(order: usize) -> R {
     R::from_f64(order as f64)
@@ -275,8 +274,8 @@ pub fn multiplier<R: Real>(impulse: R, rate: R) -> R {
 
 /// The coefficient of time, which is the unit of time in order 1.
 #[inline(always)]
-pub fn time<R: Real, H: TimeUnit<R>>(h: H, order: usize) -> R {
-    if order == 1 { h.length() } else { R::zero() }
+pub fn time<R: Real>(h: R, order: usize) -> R {
+    if order == 1 { h } else { R::zero() }
 }
 
 /// The products of a system with few of them. They are constants of a type: the compiler knows them wherever

@@ -75,7 +75,7 @@ where
     /// impact. Where infinitely many impacts are taken together, they contain the impulses of the plastic
     /// impact that stands for those that would follow.
     pub fn impulses(&self) -> S::Rows<S::Scalar> {
-        (*self.memory.at(self.t()).1).into()
+        self.memory.at(self.t()).1.into()
     }
 
     /// Moves to the next change of the regime up to time `until` \[s], which is included, and forward in time

@@ -73,6 +73,7 @@ where
             next: None,
             impulses: [num_traits::Zero::zero(); C],
             begun_by: [num_traits::Zero::zero(); C],
+            begun_at: start.t,
             switched: start.t,
             told: None,
             tells: false,
@@ -102,8 +103,10 @@ where
         if let Some((regime, after)) = memory.next.take()
             && after.t == state.t
         {
+            memory.take_impulses();
             memory.regime = regime;
         }
+        memory.impulses = [num_traits::Zero::zero(); C];
         (memory.start, memory.end, memory.is_way) = (state, state, false);
         (memory.is_fresh, memory.is_cut, memory.stuck, memory.told) = (true, false, None, None);
     }
@@ -116,7 +119,7 @@ where
         // A state on a kink is on the side on which the motion was. Which way friction slipped tells nothing
         // about a body that has been put at rest.
         memory.regime = Regime { kinks: memory.regime.kinks, ..Regime::open(&S::ROWS) };
-        (memory.impulses, memory.begun_by) = ([num_traits::Zero::zero(); C], [num_traits::Zero::zero(); C]);
+        memory.begun_by = [num_traits::Zero::zero(); C];
     }
 
     fn start(memory: &Self::Memory) -> &State<S::Scalar, N> {

@@ -8,6 +8,7 @@ use super::scales::Scales;
 use super::way::{Way, is_beyond_rounding};
 use super::{Regime, Row};
 use crate::integrator::jets::JetsMemory;
+use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
 use crate::system::error::Cause;
 use crate::system::method::Steps;
@@ -30,10 +31,11 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) next: Option<(Regime<R, C, W>, State<R, N>)>,
     /// Whether the piece ended where its guards are known no further: then the regime stays.
     pub(super) is_cut: bool,
-    /// The impulses of the last change of regime, zero where it was no impact.
+    /// The impulses of the change of regime that follows the piece, zero where it is no impact.
     pub(super) impulses: [R; C],
-    /// The impulses of the change of regime before the piece.
+    /// The impulses of the last changes of regime before the piece, all at one time, and that time.
     pub(super) begun_by: [R; C],
+    pub(super) begun_at: R,
     /// The time of the last change. A slip in two directions that comes to rest does so after the piece, and
     /// one that begins is followed from a little later on.
     pub(super) switched: R,
@@ -192,13 +194,46 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         self.next.as_ref().map_or(&self.regime, |(regime, _)| regime)
     }
 
-    /// Which of them do so at time `t` in or after the piece, and the impulses of the last change of regime
+    /// Which of them do so at time `t` in or after the piece, and the impulses of the last changes of regime
     /// up to then.
-    pub(super) fn at(&self, t: R) -> (&Regime<R, C, W>, &[R; C]) {
+    pub(super) fn at(&self, t: R) -> (&Regime<R, C, W>, [R; C])
+    where
+        R: Ordered,
+    {
         match &self.next {
-            Some((regime, _)) if self.is_way || self.beside(t).is_some() => (regime, &self.impulses),
-            _ => (&self.regime, &self.begun_by),
+            Some((regime, _)) if self.is_way || self.beside(t).is_some() => (regime, self.ended_by()),
+            _ => (&self.regime, self.begun_by),
         }
+    }
+
+    /// The impulses of the change of regime after the piece, with those of the changes before it at the same
+    /// time: an impact may leave a contact closed that then opens.
+    pub(super) fn ended_by(&self) -> [R; C]
+    where
+        R: Ordered,
+    {
+        if !self.is_change() {
+            self.begun_by
+        } else if is_beyond_rounding(self.begun_at, self.switched) {
+            self.impulses
+        } else {
+            array(|row| self.begun_by[row] + self.impulses[row])
+        }
+    }
+
+    /// Whether the regime changes after the piece. It is found anew where a motion goes on with other inputs.
+    fn is_change(&self) -> bool {
+        !self.is_cut && (!self.is_fresh || self.impulses != [R::zero(); C])
+    }
+
+    /// Takes the change of regime after the piece for the one before the next.
+    pub(super) fn take_impulses(&mut self)
+    where
+        R: Ordered,
+    {
+        let begun_at = if self.is_change() { self.switched } else { self.begun_at };
+        (self.begun_by, self.begun_at) = (self.ended_by(), begun_at);
+        self.impulses = [R::zero(); C];
     }
 }
 
@@ -214,6 +249,7 @@ where
         self.start.t -= instant;
         self.end.t -= instant;
         self.switched -= instant;
+        self.begun_at -= instant;
         if let Some((_, state)) = &mut self.next {
             state.t -= instant;
         }

@@ -51,12 +51,13 @@ where
     pub(super) fn enter(&mut self, regime: Regime<S::Scalar, C, W>, state: State<S::Scalar, N>) {
         let memory = &mut *self.memory;
         memory.counts = sum(memory.counts, M::counts(&memory.inner));
+        memory.take_impulses();
         memory.regime = regime;
         memory.in_regime = self.system.in_regime(&regime);
         memory.constants = memory.in_regime.constants();
         M::go_on(&mut memory.inner, &memory.in_regime, state);
         (memory.start, memory.end, memory.next) = (state, state, None);
-        (memory.is_way, memory.begun_by) = (false, memory.impulses);
+        memory.is_way = false;
     }
 
     /// The regime and the state that follow a state: after its impact, projected onto the regime, moved by

@@ -9,7 +9,6 @@ use crate::integrator::Dop853;
 use crate::linear::{Switched, SwitchedRows};
 use crate::number::elements::Each;
 use crate::number::real::Real;
-use crate::series::unit::TimeUnit;
 use crate::system::System;
 use crate::system::error::Cause;
 use crate::system::footing::Footing;
@@ -157,7 +156,7 @@ impl<I: Smooth<N, K> + Copy, const N: usize, const K: usize> Smooth<N, K> for In
         q: &[Self::Scalar; N],
         v: &[Self::Scalar; N],
         u: &[Self::Scalar; K],
-        h: impl TimeUnit<Self::Scalar>,
+        h: Self::Scalar,
         orders: usize,
         tables: &mut Self::Tables<P>,
         series: &mut Series<Self::Scalar, N, P>,

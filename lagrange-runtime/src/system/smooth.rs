@@ -3,7 +3,6 @@
 use crate::linear::Independence;
 use crate::number::elements::array;
 use crate::number::real::Real;
-use crate::series::unit::TimeUnit;
 use crate::system::System;
 
 /// A system whose motion is analytic, with the recurrences of its Taylor coefficients.
@@ -42,7 +41,7 @@ pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
         q: &[Self::Scalar; N],
         v: &[Self::Scalar; N],
         u: &[Self::Scalar; K],
-        h: impl TimeUnit<Self::Scalar>,
+        h: Self::Scalar,
         orders: usize,
         tables: &mut Self::Tables<P>,
         series: &mut Series<Self::Scalar, N, P>,

@@ -114,3 +114,31 @@ fn a_ball_in_the_air_touches_nothing() {
     motion.set_state(State::new([0.0, 1.0, 0.0], [1.0, 0.0, 0.0]));
     assert_eq!((motion.contacts().floor, motion.impulses().floor), (Contact::Open, 0.0));
 }
+
+/// At the time of an impact, and an ulp beside it, contacts close and open again within rounding.
+#[test]
+fn samples_beside_an_impact_do_not_lose_its_impulse() {
+    let mut random = Samples::new(11);
+    for _ in 0..60 {
+        let ball = Ball { restitution: random.number(0.3, 0.95) };
+        let start = State::new([0.0, random.number(0.1, 2.0), 0.0], [0.0, random.number(-2.0, 3.0), 0.0]);
+        let mut motion = ball.simulate(start);
+        let impacts: Vec<(f64, f64)> = (0..5)
+            .map(|_| {
+                motion.advance_to_switch(1e3).unwrap().expect("an impact");
+                (motion.t(), motion.impulses().floor)
+            })
+            .collect();
+        for beside in [&[0][..], &[-1, 0, 1], &[-2, 2], &[1]] {
+            let mut motion = ball.simulate(start);
+            for (t, impulse) in &impacts {
+                for ulps in beside {
+                    motion.advance_to(f64::from_bits(t.to_bits().wrapping_add_signed(*ulps))).unwrap();
+                }
+                motion.advance_to(t + 0.05 * impulse / 9.81).unwrap();
+                let found = motion.impulses().floor;
+                assert!((found / impulse - 1.0).abs() < 1e-9, "{beside:?} at {t}: {found} {impulse}");
+            }
+        }
+    }
+}

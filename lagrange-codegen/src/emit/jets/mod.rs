@@ -86,7 +86,7 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
          #[inline]\nfn jet_constants(&self) -> {constants_type} {{\n{constants_body}\n}}\n\
          #[inline]\nfn jet_at<const ORDERS: usize>(\n&self, {}: &{constants_type}, {}: {scalar}, \
          {}: &{vector}, v: &{vector}, \
-         {}: &{inputs}, h: impl lagrange::jets::TimeUnit<{scalar}>, orders: usize, {}: &mut lagrange::{tables}, \
+         {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut lagrange::{tables}, \
          series: &mut lagrange::Series<{scalar}, {count}, ORDERS>,\n) -> bool {{\n{items}{}\n}}\n{along}",
         if shares_pivots { "const SHARES_PIVOTS: bool = true;\n" } else { "" },
         named(factored || !hoisted.is_empty(), "constants"),

@@ -24,9 +24,8 @@ where
 {
     memory.counts.evaluations += 1;
     memory.is_as_expanded = true;
-    let unit = memory.take_unit();
-    let JetsMemory { constants, tables, series, orders, .. } = memory;
-    system.jet_at(constants, from.t, &from.q, &from.v, &control.0, unit, *orders, tables, series)
+    let JetsMemory { constants, tables, series, orders, unit, .. } = memory;
+    system.jet_at(constants, from.t, &from.q, &from.v, &control.0, *unit, *orders, tables, series)
 }
 
 /// The same as a function of its own.
@@ -78,15 +77,17 @@ where
     let from = memory.start;
     let resolution = memory.resolution();
     let mut remembered = memory.next.is_positive();
-    let mut unit = if remembered { memory.next } else { left.abs() };
+    // Products with a power of two have no rounding errors, which is all the errors that a polynomial in time
+    // has. From step to step the unit must change: the coefficients of steps in one unit would have the same
+    // rounding errors, and the energy would drift with the number of steps instead of its root.
+    let mut unit = if remembered { memory.next } else { left.abs().binade() };
     let (mut overflowed, mut rescaled, mut lengthened) = (false, false, false);
     loop {
         if *attempts == 0 {
             return Err(Cause::TooManySteps);
         }
         *attempts -= 1;
-        let power = unit.binade();
-        memory.unit = left.signum() * power;
+        memory.unit = left.signum() * unit;
         // The compiler optimises one copy of the code better than several, but that of a free motion best
         // where it is called.
         let solved = if S::CONSTRAINED {
@@ -97,19 +98,18 @@ where
         if !solved {
             return Err(Cause::NotFinite);
         }
-        // The length that is expected.
-        let (near, steady) = (unit / power, remembered && !rescaled);
-        let mut span = near;
-        let mut tolerated = memory.tolerated(limits, span, near, steady);
+        let steady = remembered && !rescaled;
+        let mut tolerated = memory.tolerated(limits, num_traits::One::one(), steady);
+        let mut span = number(1.0);
         // In a unit much longer than the step, the first terms do not measure the size of a component.
         while tolerated < number(0.5) * span && tolerated * number(NEAR * NEAR) > num_traits::One::one() {
             span = tolerated;
-            tolerated = memory.tolerated(limits, span, near, steady);
+            tolerated = memory.tolerated(limits, span, steady);
         }
         let is_finite = memory.is_finite();
         if is_finite && tolerated == number(f64::INFINITY) {
             if !S::STEEP && remembered && unit < left.abs() {
-                (unit, remembered) = (left.abs(), false);
+                (unit, remembered) = (left.abs().binade(), false);
                 memory.counts.rejected += 1;
                 continue;
             }
@@ -120,7 +120,7 @@ where
             && tolerated * number(NEAR) > num_traits::One::one()
         {
             // In a longer unit coefficients overflow, so the step is shorter than the tolerance allows.
-            let natural = smaller(tolerated, number(NEAR)) * power;
+            let natural = smaller(tolerated, number(NEAR)) * unit;
             return Ok(Some(natural));
         }
         // In a unit far from the step, coefficients are near the ends of the range of numbers, or beyond. A
@@ -133,7 +133,7 @@ where
         // no size but in the unit. The shorter unit is safe.
         overflowed |= lengthened && factor < num_traits::One::one();
         lengthened |= factor > num_traits::One::one();
-        unit = power * factor;
+        unit = (unit * factor).binade();
         rescaled = true;
         memory.counts.rejected += 1;
         if step_size::is_below(unit, resolution) {

@@ -12,16 +12,12 @@ use crate::number::compensated::{add, add_product};
 use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::series::HIGHEST;
-use crate::series::unit::Binade;
 use crate::system::attitude;
 use crate::system::error::Cause;
 use crate::system::limits::Limits;
 use crate::system::method::{Steps, Terms};
 use crate::system::smooth::Series;
 use crate::system::state::State;
-
-/// Twice the fractional part of the golden ratio.
-const TWICE_GOLDEN: f64 = 1.236_067_977_499_79;
 
 /// The memory of [`Jets`] and of `Paced` between steps, with series to order `P`.
 #[derive(Clone, Copy, Debug)]
@@ -43,8 +39,6 @@ pub struct JetsMemory<C, T, R, const N: usize, const P: usize = HIGHEST> {
     pub(super) residue: State<R, N>,
     /// Unit of time of the coefficients \[s], with the direction of the motion.
     pub(super) unit: R,
-    /// The dither of the last expansion ([`Binade`]).
-    dither: R,
     /// The unit of the next step, without direction; zero if not known.
     pub(super) next: R,
     /// Length of the last step \[s], without direction; zero before the first.
@@ -77,7 +71,6 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
             start,
             residue: zero,
             unit: R::zero(),
-            dither: R::zero(),
             next: R::zero(),
             last: R::zero(),
             strongest: [R::zero(); N],
@@ -88,16 +81,6 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
             end_residue: zero,
             counts: Steps::default(),
         }
-    }
-
-    /// The unit of the next expansion: a power of two, with another dither. Its sequence fills the interval
-    /// evenly whatever the steps do. (L. Kuipers and H. Niederreiter, "Uniform Distribution of Sequences",
-    /// Wiley 1974, § 2.3: multiples of the golden ratio.)
-    #[inline(always)]
-    pub(super) fn take_unit(&mut self) -> Binade<R> {
-        let next = self.dither + R::from_f64(TWICE_GOLDEN);
-        self.dither = if next > R::one() { next - R::from_f64(2.0) } else { next };
-        Binade { power: self.unit, dither: self.dither }
     }
 
     /// Derives the order from the tolerance, if that has changed.
@@ -260,25 +243,25 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     /// Terms before the last two shorten it where these are small by chance: see [`super::fall`].
     ///
     /// The size of a component is that of its first terms over `span`, which should be about the length
-    /// itself. `near` is the length that is expected. With `steady` error control gave it to the last step.
+    /// itself. With `steady` the unit is the length that error control gave the last step.
     ///
     /// Of numbers with derivatives each component of each derivative has its own size, as coordinates have.
     #[inline]
-    pub(super) fn tolerated(&self, limits: &Limits<R>, span: R, near: R, steady: bool) -> R {
-        let length = |part| self.tolerated_by(limits, span, near, steady, part);
+    pub(super) fn tolerated(&self, limits: &Limits<R>, span: R, steady: bool) -> R {
+        let length = |part| self.tolerated_by(limits, span, steady, part);
         R::splat((1..R::PARTS).fold(length(0), |least, part| smaller(least, length(part))))
     }
 
     /// The same for the values or one of their derivatives.
     #[inline]
-    fn tolerated_by(&self, limits: &Limits<R>, span: R, near: R, steady: bool, part: usize) -> R::Lane {
+    fn tolerated_by(&self, limits: &Limits<R>, span: R, steady: bool, part: usize) -> R::Lane {
         let p = self.orders;
         let weights = self.weights(limits, span, part);
         let term = |order| self.term(&weights, order, part);
         // The ratio of successive terms at the tolerated length.
-        let (near, decay) = (near.largest(), R::Lane::from_f64(DECAY));
-        let length = reach(larger(term(p), decay / near * term(p - 1)), p);
-        if steady && length <= R::Lane::from_f64(GROWTH) * near {
+        let decay = R::Lane::from_f64(DECAY);
+        let length = reach(larger(term(p), decay * term(p - 1)), p);
+        if steady && length <= R::Lane::from_f64(GROWTH) {
             return length;
         }
         bounded(p, self.steepest.largest(), length, term)

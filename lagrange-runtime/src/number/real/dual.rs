@@ -221,10 +221,6 @@ impl<R: Real, const D: usize> Real for Dual<R, D> {
         Self::constant(self.value.binade())
     }
     #[inline]
-    fn over_order(self, order: usize, dither: Self) -> Self {
-        Self::constant(self.value.over_order(order, dither.value))
-    }
-    #[inline]
     fn signum(self) -> Self {
         Self::constant(self.value.signum())
     }

@@ -13,25 +13,8 @@ macro_rules! forward {
     )*};
 }
 
-/// The highest order whose quotient is tabulated: that of the longest series.
-const TABULATED: usize = 32;
-
-/// 1 / order, what rounding has taken from it, and half of its ulp; no ulp where nothing was taken.
-macro_rules! quotient {
-    ($scalar:ident, $bits:ident, $order:expr) => {{
-        let nearest = 1.0 / $order as $scalar;
-        // nearest = whole / 2^digits.
-        let fraction = $scalar::MANTISSA_DIGITS - 1;
-        let digits = fraction + $scalar::MAX_EXP as u32 - 1 - (nearest.to_bits() >> fraction) as u32;
-        let whole = (nearest.to_bits() & ((1 << fraction) - 1)) | (1 << fraction);
-        let ulp = 1.0 / ((1 as $bits) << digits) as $scalar;
-        let rest = ((1 as $bits) << digits).wrapping_sub(whole * $order as $bits).cast_signed();
-        [nearest, rest as $scalar * ulp / $order as $scalar, if rest == 0 { 0.0 } else { 0.5 * ulp }]
-    }};
-}
-
 macro_rules! impl_real {
-    ($scalar:ident, $bits:ident, $from_f64:expr) => {
+    ($scalar:ident, $from_f64:expr) => {
         impl Real for $scalar {
             type Lane = Self;
 
@@ -90,23 +73,6 @@ macro_rules! impl_real {
                 let power = $scalar::from_bits(self.to_bits() & $scalar::INFINITY.to_bits());
                 if power > 0.0 { power } else { self }
             }
-            #[inline(always)]
-            fn over_order(self, order: usize, dither: Self) -> Self {
-                const QUOTIENTS: [[$scalar; 3]; TABULATED + 1] = {
-                    let (mut table, mut order) = ([[0.0; 3]; TABULATED + 1], 1);
-                    while order <= TABULATED {
-                        table[order] = quotient!($scalar, $bits, order);
-                        order += 1;
-                    }
-                    table
-                };
-                match QUOTIENTS.get(order) {
-                    // The sum is rounded, and nothing else. (L. Schuchman, "Dither signals and their
-                    // effect on quantization noise", IEEE Trans. Comm. 12, 1964.)
-                    Some(&[nearest, rest, half_ulp]) => self * (nearest + (rest + dither * half_ulp)),
-                    None => self / order as $scalar,
-                }
-            }
             #[inline]
             fn to_single(self) -> f32 {
                 self as f32
@@ -120,5 +86,5 @@ macro_rules! impl_real {
     };
 }
 
-impl_real!(f64, u64, |x: f64| x);
-impl_real!(f32, u32, |x: f64| x as f32);
+impl_real!(f64, |x: f64| x);
+impl_real!(f32, |x: f64| x as f32);

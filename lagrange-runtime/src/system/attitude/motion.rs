@@ -7,7 +7,6 @@ use super::{cross, dot, rates_at, spin, square, triple};
 use crate::number::elements::{Each, array};
 use crate::number::real::Real;
 use crate::series::tables::{Tables, in_line, rate};
-use crate::series::unit::TimeUnit;
 use crate::system::smooth::Series;
 
 /// The matrix of an orientation: columns are the body axes in space axes.
@@ -83,7 +82,7 @@ fn put<R: Copy, const N: usize>(numbers: &mut [R; N], first: usize, triple: [R; 
 pub fn complete<R: Real, const N: usize, const P: usize, const O: usize>(
     series: &mut Series<R, N, P>,
     orders: usize,
-    h: impl TimeUnit<R>,
+    h: R,
     q: &[R; N],
     turning: &[R; N],
     orientations: [usize; O],
@@ -109,7 +108,7 @@ fn right<R: Real>([x, y, z]: [R; 3], a: R) -> [R; PRODUCTS] {
 fn complete_one<R: Real, const N: usize, const P: usize>(
     series: &mut Series<R, N, P>,
     orders: usize,
-    h: impl TimeUnit<R>,
+    h: R,
     (mut rho, mut omega): ([R; 3], [R; 3]),
     first: usize,
 ) {
