@@ -154,10 +154,8 @@ fn by_hand(problem: &Problem) -> Option<Box<dyn Subject>> {
                 let mut motion = s::BlockByHand.simulate(start).with_tolerance(tolerance);
                 // The potential has its kink where the block stands upright.
                 while motion.advance_to_switch(t_end).map_err(|error| error.to_string())?.is_some() {
-                    // Times are rounded, so the angle is what the block turns by meanwhile.
-                    let State { t, q, v } = *motion.state();
-                    let slowed = |[x]: [f64; 1]| [s::BlockByHand::LEFT * x];
-                    motion.set_state(State::new(slowed(q), slowed(v)).at_time(t));
+                    let State { t, v: [rate], .. } = *motion.state();
+                    motion.set_state(State::new([0.0], [s::BlockByHand::LEFT * rate]).at_time(t));
                 }
                 Ok(Outcome { end: motion.state().iter().collect(), steps: motion.steps().accepted })
             };
