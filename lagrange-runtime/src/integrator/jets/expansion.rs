@@ -78,9 +78,8 @@ where
     let resolution = memory.resolution();
     let mut remembered = memory.next.is_positive();
     // Products with a power of two have no rounding errors, which is all the errors that a polynomial in time
-    // has. From step to step the unit must change: the coefficients of steps in one unit would have the same
-    // rounding errors, and the energy would drift with the number of steps instead of its root.
-    let mut unit = if remembered { memory.next } else { left.abs().binade() };
+    // has.
+    let mut unit = if remembered { memory.varied() } else { left.abs().binade() };
     let (mut overflowed, mut rescaled, mut lengthened) = (false, false, false);
     loop {
         if *attempts == 0 {

@@ -19,6 +19,15 @@ use crate::system::method::{Steps, Terms};
 use crate::system::smooth::Series;
 use crate::system::state::State;
 
+/// The fractional part of the golden ratio. The fractional parts of its multiples fill an interval evenly,
+/// whatever the number of them. (L. Kuipers and H. Niederreiter, "Uniform Distribution of Sequences", Wiley
+/// 1974, § 2.3.)
+const GOLDEN: f64 = 0.618_033_988_749_895;
+
+/// The most by which the unit of a step is longer than its length. All digits of the unit change by that, and
+/// nothing else does.
+const VARIED: f64 = 1.0 / 1024.0;
+
 /// The memory of [`Jets`] and of `Paced` between steps, with series to order `P`.
 #[derive(Clone, Copy, Debug)]
 pub struct JetsMemory<C, T, R, const N: usize, const P: usize = HIGHEST> {
@@ -39,6 +48,8 @@ pub struct JetsMemory<C, T, R, const N: usize, const P: usize = HIGHEST> {
     pub(super) residue: State<R, N>,
     /// Unit of time of the coefficients \[s], with the direction of the motion.
     pub(super) unit: R,
+    /// From 0 to 1: which unit of the next step is taken.
+    phase: R,
     /// The unit of the next step, without direction; zero if not known.
     pub(super) next: R,
     /// Length of the last step \[s], without direction; zero before the first.
@@ -71,6 +82,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
             start,
             residue: zero,
             unit: R::zero(),
+            phase: R::zero(),
             next: R::zero(),
             last: R::zero(),
             strongest: [R::zero(); N],
@@ -81,6 +93,15 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
             end_residue: zero,
             counts: Steps::default(),
         }
+    }
+
+    /// The unit of the next step, another one in every step. The coefficients of steps in one unit, or of the
+    /// same steps again and again, would have the same rounding errors, and the energy would drift with the
+    /// number of steps instead of its root.
+    pub(super) fn varied(&mut self) -> R {
+        let phase = self.phase + R::from_f64(GOLDEN);
+        self.phase = if phase < R::one() { phase } else { phase - R::one() };
+        self.next * R::mul_add(R::from_f64(VARIED), self.phase, R::one())
     }
 
     /// Derives the order from the tolerance, if that has changed.
