@@ -14,5 +14,6 @@ mod mechanics;
 mod narrow;
 mod oracle;
 mod roots;
+mod rounding;
 mod steps;
 mod units;
