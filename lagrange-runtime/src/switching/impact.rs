@@ -98,20 +98,24 @@ where
 
     /// The velocities after the impulses of the laws. Where a single contact holds, all changes are in
     /// proportion to its impulse. A change is larger than the velocity that it leaves, and so are its
-    /// roundings. They are made up for by what the rate of the contact lacks of its law.
+    /// roundings. They are made up for by what the rate of the contact lacks of Newton's law, if that is no
+    /// more: with Poisson's law and friction it may be.
     fn left_by(&self, strike: &Impulses<S::Scalar, N, C>) -> [S::Scalar; N] {
         let (v, changes) = (&self.state.v, &strike.changes);
         let after = array(|i| v[i] + changes[i]);
         let mut active = (0..C).filter(|&row| strike.active[row]);
         let (Some(row), None) = (active.next(), active.next()) else { return after };
-        if self.status[row] != Status::Meets || S::POISSON[row] {
+        if self.status[row] != Status::Meets {
             return after;
         }
         let (gradient, before) = (&self.gradients[row], self.laws.rows.rates[row]);
         let driven = before - product(gradient, v);
         let lack = -(self.laws.restitution[row] * before) - (product(gradient, &after) + driven);
         let share = lack / product(gradient, changes);
-        if share.is_finite() { array(|i| Real::mul_add(share, changes[i], after[i])) } else { after }
+        if !share.is_finite() || above(share.abs(), rounding()) {
+            return after;
+        }
+        array(|i| Real::mul_add(share, changes[i], after[i]))
     }
 
     /// The velocities after an impact that leaves contacts closed, and its impulses.
