@@ -81,7 +81,7 @@ where
             let name = self.name(guard);
             Some(match guard {
                 // A contact that comes back from its own impact without speed bounces infinitely often.
-                Guard::Row(row) if entry(&self.memory.impulses, row).part(0).abs().is_positive() => {
+                Guard::Row(row) if entry(&self.memory.begun_by, row).part(0).abs().is_positive() => {
                     Cause::ImpactsAccumulate { constraint: row, name }
                 }
                 Guard::Row(switch) | Guard::Kink(switch) => Cause::Grazes { switch, name },
