@@ -93,8 +93,8 @@ fn a_block_on_a_belt_sticks_and_slips() {
 
 #[test]
 fn a_block_on_a_belt_keeps_time_over_a_hundred_periods() {
-    // Times near 300 s are rounded by 3e-14 s, at each of two hundred switches. At speeds up to 0.55 m/s random
-    // roundings of that size would add up to 1.3e-13 m.
+    // Times near 300 s are rounded by 3e-14 s, at each of two hundred switches. At speeds up to 0.55 m/s such
+    // roundings would add up to 1.3e-13 m at random.
     let belt = Belt { stiffness: 9.0, fixed: 0.5, kinetic: 0.3, speed: 0.2 };
     let mut motion = belt.simulate(State::new([0.0], [0.2])).with_tolerance(1e-15);
     let state = motion.advance_to(300.0).unwrap();
