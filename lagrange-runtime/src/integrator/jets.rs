@@ -49,7 +49,7 @@ const ORDERS_PER_DIGIT: f64 = 0.8;
 
 /// The same where the tolerance means the accuracy of rounding. The terms of a long step are much larger than
 /// their sum, and so are their rounding errors: those of an oscillation add up to exp(ωt), while the number
-/// of steps falls with ωt alone. This order ends steps near ωt = 1, where both are least.
+/// of steps falls with ωt alone. This order ends steps near ωt = 1.4, close to where both are least.
 const ORDERS_AT_ROUNDING: f64 = 0.5;
 
 /// exp(−1 / `ORDERS_PER_DIGIT`): the ratio of successive terms of a series at the tolerated length. At the

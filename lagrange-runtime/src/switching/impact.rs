@@ -70,30 +70,29 @@ where
         } else {
             self.strike(&Demand { restitution: *restitution, given: [zero; C] })
         };
-        let strike = if let Some(strike) = by_law.ok().filter(|strike| !self.gains(strike)) {
+        if let Some(strike) = by_law.ok().filter(|strike| !self.gains(strike)) {
             return Ok((self.left_by(&strike), strike.impulses));
-        } else {
-            let plastic = self.strike(&Demand::plastic())?;
-            let mut least: S::Scalar = num_traits::One::one();
-            let rows = self.status.iter().zip(&self.is_closed).zip(&self.laws.rows.rates);
-            for (((status, &is_closed), &before), (&e, gradient)) in
-                rows.zip(restitution.iter().zip(&self.gradients))
-            {
-                let slows = -product(gradient, &plastic.changes);
-                // A contact that opens already is not driven into penetration.
-                let most = match status {
-                    Status::Meets => e,
-                    Status::Apart if is_closed && slows.is_positive() => (before - slows) / slows,
-                    _ => continue,
-                };
-                if above(least, most) {
-                    least = if most.is_positive() { most } else { zero };
-                }
+        }
+        let plastic = self.strike(&Demand::plastic())?;
+        let mut least: S::Scalar = num_traits::One::one();
+        let rows = self.status.iter().zip(&self.is_closed).zip(&self.laws.rows.rates);
+        for (((status, &is_closed), &before), (&e, gradient)) in
+            rows.zip(restitution.iter().zip(&self.gradients))
+        {
+            let slows = -product(gradient, &plastic.changes);
+            // A contact that opens already is not driven into penetration.
+            let most = match status {
+                Status::Meets => e,
+                Status::Apart if is_closed && slows.is_positive() => (before - slows) / slows,
+                _ => continue,
+            };
+            if above(least, most) {
+                least = if most.is_positive() { most } else { zero };
             }
-            let more = |x: S::Scalar| x + least * x;
-            Impulses { changes: plastic.changes.each(more), impulses: plastic.impulses.each(more), ..plastic }
-        };
-        Ok((array(|i| self.state.v[i] + strike.changes[i]), strike.impulses))
+        }
+        let more = |x: S::Scalar| x + least * x;
+        let changes = plastic.changes.each(more);
+        Ok((array(|i| self.state.v[i] + changes[i]), plastic.impulses.each(more)))
     }
 
     /// The velocities after the impulses of the laws. Where a single contact holds, all changes are in
