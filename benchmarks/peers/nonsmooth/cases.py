@@ -7,15 +7,15 @@ The mode ends where its guard falls through zero.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 G = 9.81
 # Coulomb oscillator: mass, stiffness, friction force.
 MASS, STIFFNESS, FRICTION = 2.0, 50.0, 0.25 * 2.0 * G
-# Belt: speed, force that sticks, force that slips.
-BELT, STATIC, KINETIC = 0.2, 4.0, 2.4
+# Belt: force that sticks, force that slips. Its speed is that of the block at the start.
+STATIC, KINETIC = 4.0, 2.4
 # Rocking block: half diagonal, its angle, 3 g / 4 r, what an impact leaves of the rate.
 HALF = (0.2, 0.5)
 RADIUS, ALPHA = math.hypot(*HALF), math.atan2(*HALF)
@@ -61,13 +61,6 @@ CASES = {
         lambda x, v, p: p * v + (1.0 - p * p),
         _coulomb,
     ),
-    # p is one while it slips, zero while it sticks.
-    "belt": Case(
-        0.0,
-        lambda m, x, v, p: p * (KINETIC - 9.0 * x),
-        lambda x, v, p: p * (BELT - v) + (1.0 - p) * (STATIC - 9.0 * x),
-        lambda s, p: (s, 1.0) if p == 0.0 else ([s[0], BELT], 0.0),
-    ),
     "block": Case(
         1.0,
         lambda m, x, v, p: -SQUARE * m.sin(p * ALPHA - x),
@@ -83,3 +76,18 @@ CASES = {
     "bilinear": Case(1.0, lambda m, x, v, p: -(6.5 - 2.5 * p) * x, lambda x, v, p: p * x, lambda s, p: (s, -p)),
     "valley": Case(1.0, lambda m, x, v, p: -p + 0.0 * x, lambda x, v, p: p * x, lambda s, p: (s, -p)),
 }
+
+
+def belt(speed: float) -> Case:
+    """A block at rest on a belt of this speed: p is one while it slips, zero while it sticks."""
+    return Case(
+        0.0,
+        lambda m, x, v, p: p * (KINETIC - 9.0 * x),
+        lambda x, v, p: p * (speed - v) + (1.0 - p) * (STATIC - 9.0 * x),
+        lambda s, p: (s, 1.0) if p == 0.0 else ([s[0], speed], 0.0),
+    )
+
+
+def case(name: str, start: Sequence[float]) -> Case | None:
+    """The case of a name, for a start."""
+    return belt(start[1]) if name == "belt" else CASES.get(name)

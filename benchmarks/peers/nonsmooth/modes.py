@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from cases import CASES, Case
+from cases import Case, case
 from problem import Failure, Integrator, Problem, Subject, Vector
 
 # Fewer steps than any run should need.
@@ -117,10 +117,10 @@ class Modes(Subject):
         self.name, self.kind = name, kind
 
     def systems(self, names: dict[str, Problem]) -> list[str]:
-        return [name for name in names if name in CASES]
+        return [name for name, problem in names.items() if case(name, problem.start)]
 
     def build(self, problem: Problem, tolerance: float) -> Integrator:
-        return self.kind(problem, CASES[problem.name], tolerance)
+        return self.kind(problem, case(problem.name, problem.start), tolerance)
 
 
 def offers() -> tuple[list[Subject], dict[str, str]]:

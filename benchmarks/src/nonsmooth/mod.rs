@@ -116,7 +116,8 @@ fn ours(problem: &Problem) -> Box<dyn Subject> {
         ($system:expr, $start:expr, |$end:ident| $state:expr) => {{
             let start = $start;
             let run = move |tolerance| {
-                let mut motion = $system.simulate(start).with_tolerance(tolerance);
+                let system = $system;
+                let mut motion = system.simulate(start).with_tolerance(tolerance);
                 motion.advance_to(t_end).map_err(|error| error.to_string())?;
                 let $end = *motion.state();
                 Ok(Outcome { end: $state, steps: motion.steps().accepted })
@@ -125,12 +126,12 @@ fn ours(problem: &Problem) -> Box<dyn Subject> {
         }};
     }
     let line = || State::new([problem.start[0]], [problem.start[1]]);
-    let angle = problem.start[0];
+    let (angle, speed) = (problem.start[0], problem.start[1]);
     match problem.name {
         "ball" => motion!(s::Ball, line(), |end| end.iter().collect()),
         "wall" => motion!(s::Wall, line(), |end| end.iter().collect()),
         "coulomb" => motion!(s::Coulomb, line(), |end| end.iter().collect()),
-        "belt" => motion!(s::Belt, line(), |end| end.iter().collect()),
+        "belt" => motion!(s::Belt { speed }, line(), |end| end.iter().collect()),
         "bilinear" => motion!(s::Bilinear, line(), |end| end.iter().collect()),
         "valley" => motion!(s::Valley, line(), |end| end.iter().collect()),
         "block" => motion!(s::Block, s::Block::tilted(angle), |end| vec![-end.q[2], -end.v[2]]),
@@ -152,12 +153,13 @@ fn by_hand(problem: &Problem) -> Option<Box<dyn Subject>> {
         "block" => {
             let run = move |tolerance| {
                 let mut motion = s::BlockByHand.simulate(start).with_tolerance(tolerance);
-                // The potential has its kink where the block stands upright.
+                // To the left for the peers, then to the right.
+                let mut side = 1.0;
                 while motion.advance_to_switch(t_end).map_err(|error| error.to_string())?.is_some() {
-                    let State { t, v: [rate], .. } = *motion.state();
-                    motion.set_state(State::new([0.0], [s::BlockByHand::LEFT * rate]).at_time(t));
+                    side = -side;
                 }
-                Ok(Outcome { end: motion.state().iter().collect(), steps: motion.steps().accepted })
+                let end = motion.state().iter().map(|x| side * x).collect();
+                Ok(Outcome { end, steps: motion.steps().accepted })
             };
             Some(Box::new(Function { name: BY_HAND, trajectories: 1, run }))
         }

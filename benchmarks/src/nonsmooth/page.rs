@@ -18,7 +18,7 @@ pub fn of(records: &[Record], versions: &[String]) -> String {
     format!(
         "# Contacts, dry friction, kinks\n\n\
          Written by `cargo run --release -p benchmarks -- nonsmooth`; [README.md](README.md#contacts) says what the cases \
-         are. The errors of `jets`, of modes by hand and of heyoka are medians over 21 starts, those of the \
+         are. The errors of `jets`, of modes by hand and of heyoka are medians over 61 starts, those of the \
          others belong to the first start, as all times do. A ratio in brackets is the time of a peer by ours: \
          by that of the modes by hand beside heyoka and SciPy, \
          which know no contacts, where there are any.\n\n{}\n{}\n{}",

@@ -66,7 +66,10 @@ impl Coulomb {
 }
 
 /// A block on a spring and a moving belt.
-pub struct Belt;
+pub struct Belt {
+    /// The speed of the belt.
+    pub speed: f64,
+}
 
 #[lagrangian(coordinates = [x])]
 impl Belt {
@@ -82,7 +85,7 @@ impl Belt {
 
     #[friction(limit = 2.4, static_limit = 4.0)]
     fn slip(&self, v: &Velocities) -> f64 {
-        v.x - 0.2
+        v.x - self.speed
     }
 }
 
@@ -124,31 +127,31 @@ impl Block {
     }
 }
 
-/// The same by hand, as modes that an expert writes: the angle from corner to corner.
+/// The same by hand, in the one coordinate that an expert takes: the tilt, whichever corner is below. At an impact
+/// the other corner takes over, and angular momentum about it is kept.
 pub struct BlockByHand;
 
-#[lagrangian(coordinates = [theta])]
+#[lagrangian(coordinates = [tilt])]
 impl BlockByHand {
-    /// The half diagonal, and its angle to the upright side.
-    fn diagonal(&self) -> (f64, f64) {
-        (0.29_f64.sqrt(), 0.4_f64.atan())
+    /// The angle from the diagonal to the upright side.
+    fn slenderness(&self) -> f64 {
+        0.2_f64.atan2(0.5)
     }
 
     #[kinetic]
     fn rotation(&self, v: &Velocities) -> f64 {
-        0.5 * (4.0 / 3.0 * 0.29) * v.theta * v.theta
+        0.5 * v.tilt * v.tilt
     }
 
     #[potential]
     fn weight(&self, q: &Coordinates) -> f64 {
-        let (radius, angle) = self.diagonal();
-        9.81 * radius * (angle - q.theta.abs()).cos()
+        3.0 * 9.81 / (4.0 * 0.2_f64.hypot(0.5)) * (self.slenderness() - q.tilt).cos()
     }
-}
 
-impl BlockByHand {
-    /// What an impact leaves of the velocity: angular momentum about the corner that is hit is kept.
-    pub const LEFT: f64 = 1.0 - 1.5 * 0.04 / 0.29;
+    #[unilateral(restitution = 1.0 - 1.5 * self.slenderness().sin().powi(2))]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        q.tilt
+    }
 }
 
 /// A bead on a rough hoop.

@@ -11,6 +11,7 @@ pub mod relay;
 use crate::integrator::jets::fall::{predicted, steepest};
 use crate::integrator::jets::probe::{self, Probe};
 use crate::integrator::jets::{NEAR, last_term, orders};
+use crate::integrator::step_size;
 use crate::number::elements::{Each, array};
 use crate::number::real::{Real, any};
 use crate::series::HIGHEST;
@@ -237,8 +238,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
     #[inline]
     fn tolerated(&self, orders: usize, span: S::Scalar) -> S::Scalar {
         let [last_term, steepest] = [last_term(self.tolerance), self.steepest].each(S::Scalar::splat);
-        // Far below any other number, but not zero.
-        let bounds = [last_term, S::Scalar::epsilon().powi(4)];
+        let bounds = [last_term, num_traits::Zero::zero()];
         tolerated::<S, N, K>(&self.state, &self.series, bounds, steepest, orders, span)
     }
 
@@ -323,19 +323,25 @@ fn tolerated<S: Smooth<N, K>, const N: usize, const K: usize>(
     let decline = steepest.recip();
     let part_of =
         |row: Option<&[S::Scalar; N]>, part| row.map_or([zero; N], |row| row.each(|x| x.part(part)));
-    // The reciprocals of the bounds of a last term.
-    let weights = |x: &[S::Scalar; N], rows: &[[S::Scalar; N]; HIGHEST], part: usize, least: S::Scalar| {
+    let sizes = |x: &[S::Scalar; N], rows: &[[S::Scalar; N]; HIGHEST], part: usize, least: S::Scalar| {
         let (first, second) = (part_of(rows.first(), part), part_of(rows.get(1), part));
         let mut sizes: [S::Scalar; N] =
             array(|i| x[i].part(part).abs().max(first[i].abs() * span).max(second[i].abs() * span * span));
         for &first in S::ORIENTATIONS {
             attitude::share(&mut sizes, first, least);
         }
-        sizes.each(|size| (relative * size + absolute).recip())
+        sizes
     };
-    // The size of the parameters of any orientation is 1 rad.
-    let of_q = |part| weights(&state.q, &series.q, part, if part == 0 { one } else { zero });
-    let of_v = |part| weights(&state.v, &series.v, part, zero);
+    let least = S::Scalar::splat(step_size::least());
+    // The reciprocals of the bounds of a last term, of coordinates and of velocities.
+    let weights = |part: usize| {
+        // The size of the parameters of any orientation is 1 rad.
+        let rad = if part == 0 { one } else { zero };
+        let sizes = [sizes(&state.q, &series.q, part, rad), sizes(&state.v, &series.v, part, zero)];
+        let largest = sizes.iter().flatten().fold(zero, |largest, &size| largest.max(size));
+        let absolute = absolute + S::Scalar::epsilon().powi(4) * largest;
+        sizes.each(|sizes| sizes.each(|size| (relative * size + absolute).max(least).recip()))
+    };
     let (mut last, mut early) = (S::Scalar::epsilon().powi(4), zero);
     let mut weigh = |weights: [S::Scalar; N], rows: &[[S::Scalar; N]; HIGHEST], part: usize| {
         let row = |k: usize| part_of(rows.get(k), part);
@@ -353,14 +359,15 @@ fn tolerated<S: Smooth<N, K>, const N: usize, const K: usize>(
         }
     };
     for part in 0..S::Scalar::PARTS {
-        weigh(of_q(part), &series.q, part);
-        weigh(of_v(part), &series.v, part);
+        let [of_q, of_v] = weights(part);
+        weigh(of_q, &series.q, part);
+        weigh(of_v, &series.v, part);
     }
     let mut worst = last.max(early);
     if any(early - last) {
         let mut by_fall = zero;
         for part in 0..S::Scalar::PARTS {
-            let weights = [of_q(part), of_v(part)];
+            let weights = weights(part);
             let term = |order: usize| {
                 let rows = [&series.q, &series.v].map(|rows| part_of(rows.get(order - 1), part));
                 let sizes = |k: usize| (0..N).map(move |i| rows[k][i].abs() * weights[k][i]);

@@ -84,41 +84,42 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
     }
 
     /// The changes of coordinates and velocities in `theta` units of the scaled time: the terms of the orders
-    /// 1 to `orders`, smallest first. Horner's scheme runs for odd and even orders side by side, so that
-    /// neither waits for the other.
+    /// 1 to `orders`, smallest first.
     #[inline]
     pub fn gain(&self, theta: R, orders: usize) -> ([R; N], [R; N]) {
-        let (q, v) = self.rates(theta, orders);
-        (array(|i| q[i] * theta), array(|i| v[i] * theta))
+        let [(first_q, tail_q), (first_v, tail_v)] = self.rates(theta, orders);
+        (array(|i| (first_q[i] + tail_q[i]) * theta), array(|i| (first_v[i] + tail_v[i]) * theta))
     }
 
-    /// The same changes, divided by `theta`.
+    /// The same changes, divided by `theta`, of the first order and of all others, which are smaller: a sum
+    /// of both would have a rounding error of the size of the first. Horner's scheme runs for odd and even
+    /// orders side by side, so that neither waits for the other.
     #[inline]
-    pub(crate) fn rates(&self, theta: R, orders: usize) -> ([R; N], [R; N]) {
+    pub(crate) fn rates(&self, theta: R, orders: usize) -> [([R; N], [R; N]); 2] {
         let zero = [R::zero(); N];
         let (mut odd, mut even) = ((zero, zero), (zero, zero));
         let square = theta * theta;
-        let (Some(q), Some(v)) = (self.q.get(..orders), self.v.get(..orders)) else { return odd };
         let add = |to: &mut ([R; N], [R; N]), row_q: &[R; N], row_v: &[R; N]| {
             for i in 0..N {
                 to.0[i] = R::mul_add(to.0[i], square, row_q[i]);
                 to.1[i] = R::mul_add(to.1[i], square, row_v[i]);
             }
         };
+        let (Some([first_q, q @ ..]), Some([first_v, v @ ..])) = (self.q.get(..orders), self.v.get(..orders))
+        else {
+            return [(zero, zero); 2];
+        };
         let ((pairs_q, rest_q), (pairs_v, rest_v)) = (q.as_chunks::<2>(), v.as_chunks::<2>());
         if let ([row_q], [row_v]) = (rest_q, rest_v) {
-            add(&mut odd, row_q, row_v);
+            add(&mut even, row_q, row_v);
         }
-        for ([odd_q, even_q], [odd_v, even_v]) in pairs_q.iter().zip(pairs_v).rev() {
-            add(&mut even, even_q, even_v);
+        for ([even_q, odd_q], [even_v, odd_v]) in pairs_q.iter().zip(pairs_v).rev() {
             add(&mut odd, odd_q, odd_v);
+            add(&mut even, even_q, even_v);
         }
         // Where both sums cancel, what is left has no errors of theirs.
-        for i in 0..N {
-            odd.0[i] = R::mul_add(even.0[i], theta, odd.0[i]);
-            odd.1[i] = R::mul_add(even.1[i], theta, odd.1[i]);
-        }
-        odd
+        let tail = |odd: &[R; N], even: &[R; N]| array(|i| R::mul_add(odd[i], theta, even[i]) * theta);
+        [(*first_q, tail(&odd.0, &even.0)), (*first_v, tail(&odd.1, &even.1))]
     }
 
     /// Derivatives of the velocities by the scaled time, `theta` units after the point of expansion:

@@ -9,7 +9,7 @@ use super::super::hidden::{InEquations, Passage};
 use super::super::step_size;
 use super::{Jets, JetsMemory};
 use crate::number::elements::array;
-use crate::number::real::{Ordered, Real, any};
+use crate::number::real::{Ordered, Real, any, larger, smaller};
 use crate::system::control::Held;
 use crate::system::limits::Limits;
 use crate::system::method::Adaptive;
@@ -19,8 +19,13 @@ use crate::system::state::State;
 /// The length of the leap, as a multiple of the resolution of time.
 const ACROSS: f64 = 4.0;
 
-/// Leaps towards `target`. False where forces are too strong for it, as beside a pole. Derivatives of the
-/// motion would jump at the kink, so a motion with derivatives does not leap either.
+/// The ratio of a leap to the one right before it. Where rounding keeps coordinates at the kink, or where no
+/// series exists at all, there is another one behind each.
+const LONGER: f64 = 2.0;
+
+/// Leaps towards `target`, from the end of the last leap if it `has_leapt`. False where forces are too strong
+/// for it, as beside a pole. Derivatives of the motion would jump at the kink, so a motion with derivatives
+/// does not leap either.
 #[cold]
 #[inline(never)]
 pub(super) fn leap<S, const N: usize, const K: usize>(
@@ -30,6 +35,7 @@ pub(super) fn leap<S, const N: usize, const K: usize>(
     control: &Held<S::Scalar, K>,
     limits: &Limits<S::Scalar>,
     target: S::Scalar,
+    has_leapt: bool,
 ) -> bool
 where
     S: Smooth<N, K>,
@@ -39,7 +45,11 @@ where
         return false;
     }
     let start = memory.start;
-    let h = S::Scalar::from_f64(ACROSS) * memory.resolution() * (target - start.t).signum();
+    let number = S::Scalar::from_f64;
+    let across = number(ACROSS) * memory.resolution();
+    let length = if has_leapt { larger(across, number(LONGER) * memory.last) } else { across };
+    let left = target - start.t;
+    let h = smaller(length, left.abs()) * left.signum();
     let accelerations =
         |State { t, q, v }: &State<S::Scalar, N>| system.accelerations_at(constants, *t, q, v, &control.0);
     let mut a = accelerations(&start);

@@ -8,7 +8,7 @@ use super::fall::{bounded, reach, steepest};
 use super::{DECAY, GROWTH, ORDERS_PER_DIGIT, SAFETY, last_term, orders};
 use crate::constraints::Footing;
 use crate::linear::Independence;
-use crate::number::compensated::{add, add_product};
+use crate::number::compensated::add_product;
 use crate::number::elements::{Each, array};
 use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::series::HIGHEST;
@@ -187,11 +187,13 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
     /// their residues.
     #[inline]
     fn moved(&self, theta: R) -> [State<R, N>; 2] {
-        let (rates_q, rates_v) = self.series.rates(theta, self.orders);
+        let [(first_q, tail_q), (first_v, tail_v)] = self.series.rates(theta, self.orders);
         let [mut state, mut residue] = [self.start, self.residue];
-        for i in 0..N {
-            (state.q[i], residue.q[i]) = add_product(state.q[i], residue.q[i], rates_q[i], theta);
-            (state.v[i], residue.v[i]) = add_product(state.v[i], residue.v[i], rates_v[i], theta);
+        for (rates_q, rates_v) in [(tail_q, tail_v), (first_q, first_v)] {
+            for i in 0..N {
+                (state.q[i], residue.q[i]) = add_product(state.q[i], residue.q[i], rates_q[i], theta);
+                (state.v[i], residue.v[i]) = add_product(state.v[i], residue.v[i], rates_v[i], theta);
+            }
         }
         [state, residue]
     }
@@ -200,7 +202,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
     #[inline]
     pub(super) fn reach(&mut self, length: R) {
         [self.end, self.end_residue] = self.moved(length);
-        (self.end.t, self.end_residue.t) = add(self.start.t, self.residue.t, length * self.unit);
+        (self.end.t, self.end_residue.t) = add_product(self.start.t, self.residue.t, length, self.unit);
     }
 
     /// Makes time run in the other direction: the unit changes its sign, and so do the coefficients of odd
@@ -312,16 +314,18 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             attitude::share(&mut sizes[0], first, least);
             attitude::share(&mut sizes[1], first, zero);
         }
+        let largest = sizes.iter().flatten().fold(zero, |largest, &size| larger(largest, size));
         // The equations of derivatives are linear and have no scale: an absolute error of a derivative is one
         // beside the whole of its column.
-        let column = |largest, &size: &R::Lane| larger(largest, size);
-        let whole = if part == 0 { R::Lane::one() } else { sizes.iter().flatten().fold(zero, column) };
-        let absolute = number(SAFETY) * absolute * whole + step_size::smallest::<R::Lane>();
+        let whole = if part == 0 { R::Lane::one() } else { largest };
+        // A component that begins with many zero derivatives has a size that its first terms do not show.
+        let absolute = number(SAFETY) * absolute * whole + step_size::smallest::<R::Lane>() * largest;
+        let least = step_size::least::<R::Lane>();
         // A tolerance below rounding applies to the coupled coordinates as well.
         let ulps = smaller(relative / R::Lane::epsilon(), R::Lane::one());
         array(|k| {
             let known = if part == 0 { self.ulps[k].each(|ulp| ulps * of(ulp)) } else { [zero; N] };
-            array(|i| larger(known[i], relative * sizes[k][i] + absolute).recip())
+            array(|i| larger(larger(known[i], relative * sizes[k][i] + absolute), least).recip())
         })
     }
 

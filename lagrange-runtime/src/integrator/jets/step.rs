@@ -41,9 +41,11 @@ where
     S: Smooth<N, K>,
     S::Scalar: Ordered,
 {
+    // The tables are those of a series again after every other step.
+    let has_leapt = S::ROOTED && !memory.is_as_expanded && memory.last.is_positive();
     match stride(memory, system, constants, control, limits, target, attempts) {
         Err(Cause::StepTooSmall | Cause::NotFinite)
-            if S::ROOTED && leap(memory, system, constants, control, limits, target) =>
+            if S::ROOTED && leap(memory, system, constants, control, limits, target, has_leapt) =>
         {
             Ok(())
         }

@@ -20,7 +20,6 @@ pub use super::lane::{get, set};
 use super::{ORDERS_PER_DIGIT, tolerated};
 use crate::integrator::jets::fall::steepest;
 use crate::integrator::jets::{NEAR, SAFETY, last_term, orders};
-use crate::integrator::step_size;
 use crate::number::compensated::add;
 use crate::number::elements::Each;
 use crate::number::real::{Real, Vector, larger, smaller};
@@ -265,7 +264,7 @@ where
         let Limits { relative, absolute, .. } = self.limits;
         let absolute =
             absolute.map_or(Zero::zero(), |absolute| Lane::<S::Scalar>::from_f64(SAFETY) * absolute);
-        let bounds = [last_term(relative), absolute + step_size::smallest()].each(S::Scalar::splat);
+        let bounds = [last_term(relative), absolute].each(S::Scalar::splat);
         let steepest = S::Scalar::splat(self.steepest);
         tolerated::<S, N, K>(&self.state, &self.series, bounds, steepest, self.orders, span)
     }
