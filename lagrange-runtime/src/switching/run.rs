@@ -244,18 +244,19 @@ where
             (self.memory.fired, self.memory.begins) =
                 (found.as_ref().and_then(|event| event.guard), [false; C]);
             self.memory.is_cut = found.is_some() && self.memory.fired.is_none();
-            let Some(mut event) = found else {
-                // Kinks alone have no gaps, and no scales.
-                if C > 0 {
-                    let laws = self.system.laws_at(end.t, &end.q, &end.v, &self.control.0);
-                    self.memory.scales.see(end.t, &laws);
-                    // No step ends behind an open contact, even if a polynomial has missed it.
-                    if let Some(cause) = self.missed(&laws) {
-                        self.memory.end = start;
-                        self.memory.stuck = Some(cause);
-                        return Err(at(&start, cause));
-                    }
+            // Kinks alone have no gaps, and no scales.
+            if C > 0 {
+                let State { t, q, v } = found.as_ref().map_or(end, |event| event.state);
+                let laws = self.system.laws_at(t, &q, &v, &self.control.0);
+                self.memory.scales.see(t, &laws);
+                // No piece ends behind an open contact, even if a polynomial has missed it.
+                if let Some(cause) = self.missed(&laws) {
+                    self.memory.end = start;
+                    self.memory.stuck = Some(cause);
+                    return Err(at(&start, cause));
                 }
+            }
+            let Some(mut event) = found else {
                 self.memory.passes(start.t, end.t);
                 self.come_to_rest().map_err(|cause| at(&end, cause))?;
                 return Ok(());

@@ -292,3 +292,42 @@ fn what_fixed_steps_cannot_do_is_an_error() {
     let mut other = ball.stepper::<Jet<4>>(before);
     assert_eq!(motion.step(H, &[]).unwrap().q, other.step(H, &[]).unwrap().q);
 }
+
+/// A ball in a round room.
+struct Round;
+
+#[lagrangian(coordinates = [x, y])]
+impl Round {
+    #[point(mass = 1.0)]
+    fn ball(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[unilateral(restitution = 1.0)]
+    fn wall(&self, q: &Coordinates) -> f64 {
+        1.0 - self.ball(q).norm()
+    }
+}
+
+/// The series of the distance from the centre reaches no further than the centre, and steps are longer.
+#[test]
+fn no_step_leaves_a_round_room() {
+    let mut refused = 0;
+    for draw in 0..150 {
+        let half = 0.05 + 1.45 * (f64::from(draw) + 0.5) / 150.0;
+        let [from, to] = [0.0, 2.0 * half].map(|angle: f64| Vector2::new(angle.cos(), angle.sin()));
+        let (middle, way) = (0.5 * (from + to), (to - from) / (to - from).norm());
+        let start = State::new([middle.x, middle.y], [way.x, way.y]);
+        let mut motion = Round.stepper::<Jet<12>>(start);
+        for _ in 0..100 {
+            if let Err(error) = motion.step(2.7 * (to - from).norm(), &[]) {
+                assert!(matches!(error.cause, Cause::Penetrates { .. }), "{error}");
+                refused += 1;
+                break;
+            }
+            let [x, y] = motion.state().q;
+            assert!(x.hypot(y) < 1.0 + 1e-9, "{half}: {x} {y}");
+        }
+    }
+    assert!(refused > 0);
+}

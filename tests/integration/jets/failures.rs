@@ -230,3 +230,30 @@ fn a_coordinate_beyond_the_arithmetic_is_an_error_and_the_last_good_state_is_kep
     assert!(motion.state().is_finite());
     assert!(motion.steps().evaluations < 2000, "{:?}", motion.steps());
 }
+
+/// A spring on which a pendulum without weight hangs, so short that the cube of its length is no number.
+struct Tiny;
+
+#[lagrangian(coordinates = [x, y])]
+impl Tiny {
+    #[point(mass = 1.0)]
+    fn bob(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        15.0 * (self.bob(q).norm() - 1e-110).powi(2)
+    }
+}
+
+/// Its forces are numbers, so that a leap is right wherever the motion stands.
+#[test]
+fn leaps_do_not_take_the_place_of_a_series_for_ever() {
+    for tolerance in [1e-6, 1e-15] {
+        let start = State::new([1.1e-110, 2e-111], [1e-111, 1.3e-110]);
+        let mut motion = Tiny.simulate(start).with_tolerance(tolerance).with_max_steps(2000);
+        assert_eq!(motion.advance_to(3.0).unwrap_err().cause, Cause::NotFinite);
+        assert!(motion.state().is_finite());
+    }
+}

@@ -1,5 +1,6 @@
 //! Nothing depends on the units of mass, length and time.
 
+use lagrangian::Ordered;
 use lagrangian::prelude::*;
 
 use crate::support::close::close;
@@ -144,5 +145,68 @@ fn single_precision_has_room_for_units_too() {
         for (mass, length, time) in [(unit, 1.0, 1.0), (1.0, unit, 1.0), (1.0, 1.0, unit)] {
             assert_eq!(end(mass, length, time), expected, "2^{exponent}");
         }
+    }
+}
+
+/// A spring that a weightless pendulum hangs on, in any scalar.
+struct Elastic<R> {
+    length: R,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl<R: Real> Elastic<R> {
+    #[point(mass = R::one())]
+    fn bob(&self, q: &Coordinates<R>) -> Vector2<R> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates<R>) -> R {
+        15.0 * (self.bob(q).norm() - self.length).powi(2)
+    }
+}
+
+/// Where the pendulum is at the end, in units of `length`, and the number of steps.
+fn elastic<R: Ordered>(length: R, tolerance: f64) -> ([R; 4], u64) {
+    let of = |x: f64| R::from_f64(x) * length;
+    let start = State::new([of(1.125), of(0.25)], [of(0.125), of(1.25)]);
+    let pendulum = Elastic { length };
+    let mut motion = pendulum.simulate(start).with_tolerance(R::from_f64(tolerance));
+    let ([x, y], [vx, vy]) =
+        (|state: &State<R, 2>| (state.q, state.v))(motion.advance_to(R::from_f64(3.0)).unwrap());
+    ([x, y, vx, vy].map(|x| x / length), motion.steps().accepted)
+}
+
+/// An upright pendulum that falls from there, linearized.
+struct Upright;
+
+#[lagrangian(coordinates = [angle])]
+impl Upright {
+    #[kinetic]
+    fn rotation(&self, v: &Velocities) -> f64 {
+        0.5 * v.angle * v.angle
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        -2.0 * q.angle * q.angle
+    }
+}
+
+#[test]
+fn numbers_far_below_one_have_as_many_digits() {
+    for tolerance in [1e-3, 1e-6, 1e-10, 1e-15] {
+        for exponent in [-100, -200, -300] {
+            let found = elastic(2.0_f64.powi(exponent), tolerance);
+            assert_eq!(found, elastic(1.0, tolerance), "2^{exponent} at {tolerance:e}");
+        }
+        let found = elastic(2.0_f32.powi(-36), tolerance);
+        assert_eq!(found, elastic(1.0_f32, tolerance), "f32 at {tolerance:e}");
+        // From 1e-80 to a number of ordinary size, and back to what is left of one.
+        let [start, end] = [1e-80, 1e-80 * (2.0 * 92.0_f64).cosh()];
+        let mut motion = Upright.simulate(State::at_rest([start])).with_tolerance(tolerance);
+        let found = motion.advance_to(92.0).unwrap().q[0];
+        // Errors of single steps add up, and each grows as the angle does.
+        close(found / end, 1.0, tolerance.max(f64::EPSILON) * 10.0 * motion.steps().accepted as f64);
     }
 }
