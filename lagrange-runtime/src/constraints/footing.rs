@@ -1,9 +1,9 @@
 //! How well the constraints determine a state: how independent they are there, and how well the state is
 //! known.
 
-use super::Surface;
 use super::residuals::Level;
 use super::retraction::{From, Retraction, slopes};
+use super::{Equations, Surface};
 use crate::linear::{Independence, SaddlePoint};
 use crate::number::real::Real;
 use crate::system::error::Cause;
@@ -31,14 +31,18 @@ where
 {
     let reached = *state;
     let residuals = system.residuals_at(state.t, &state.q, &state.v);
-    let mut accelerations = None;
+    let (mut accelerations, mut ulps_a) = (None, [num_traits::Zero::zero(); N]);
     let mut retraction = match inputs {
         Some(inputs) => {
             let equations = system.equations_at(constants, state.t, &state.q, &state.v, inputs);
-            if equations.saddle.independence().is_clear() {
-                accelerations = Some(equations.balance().accelerations);
+            let balance = equations.balance();
+            if balance.independence.is_clear() {
+                accelerations = Some(balance.accelerations);
             }
-            Retraction::with(state, residuals, (equations.saddle, equations.gradients))
+            let Equations { saddle, gradients, forces, .. } = equations;
+            let retraction = Retraction::with(state, residuals, (saddle, gradients));
+            ulps_a = retraction.metric.ulps(retraction.strength(&forces, &balance.multipliers));
+            retraction
         }
         None => Retraction::new(system, state, residuals),
     };
@@ -58,6 +62,7 @@ where
         accelerations,
         ulps_q: ulps(Level::Positions),
         ulps_v: ulps(Level::Velocities),
+        ulps_a,
         metric: retraction.metric,
     })
 }
@@ -66,6 +71,13 @@ impl<S, const N: usize, const K: usize, const C: usize> Retraction<S, N, K, C>
 where
     S: Surface<N, K, C>,
 {
+    /// The largest of some forces and of those of constraints with some multipliers, as an acceleration in
+    /// the kinetic metric.
+    fn strength(&self, forces: &[S::Scalar; N], multipliers: &[S::Scalar; C]) -> S::Scalar {
+        let borne = multipliers.iter().zip(&self.slopes);
+        borne.fold(self.metric.strength(forces), |most, (reaction, &slope)| most.max(reaction.abs() * slope))
+    }
+
     /// Whether the rows are as independent as the factors say. The factors are those of a state that was
     /// `reached` beside the constraints. The rows must be clearly independent, by more than the way from
     /// there can have contributed.

@@ -256,8 +256,8 @@ where
             <= self.bound(size, sizes.absolute) + roundings * span
     }
 
-    /// The change of the accelerations by rounding errors of the coordinates and of time. Where strong forces
-    /// are in balance it exceeds the rounding errors of the accelerations.
+    /// The change of the accelerations by rounding errors of the forces, of the coordinates and of time. Where
+    /// strong forces are in balance it exceeds the rounding errors of the accelerations.
     #[cold]
     fn roundings(&self, state: &State<S::Scalar, N>, footing: &Footing<S::Scalar, N>) -> S::Scalar {
         let here = self.accelerations(state);
@@ -266,7 +266,7 @@ where
             q: footing.ulps_q,
             v: [num_traits::Zero::zero(); N],
         };
-        let largest = beside(state, &by).fold(num_traits::Zero::zero(), |largest, beside| {
+        let largest = beside(state, &by).fold(footing.metric.extent(&footing.ulps_a), |largest, beside| {
             larger(largest, footing.metric.extent(&difference(&self.accelerations(&beside), &here)))
         });
         S::Scalar::from_f64(MARGIN) * largest

@@ -40,6 +40,12 @@ impl<R: Real, const N: usize> Metric<R, N> {
         x.iter().zip(&self.weights).fold(R::zero(), |most, (x, &weight)| most.max(x.abs() * weight))
     }
 
+    /// The largest of some forces, as an acceleration in these units.
+    #[inline(always)]
+    pub(crate) fn strength(&self, forces: &[R; N]) -> R {
+        forces.iter().zip(&self.units).fold(R::zero(), |most, (force, &unit)| most.max(force.abs() * unit))
+    }
+
     /// The largest of some coordinates, or velocities, in these units and as a number.
     #[inline(always)]
     pub(crate) fn sizes(&self, x: &[R; N]) -> [R; 2] {
