@@ -4,7 +4,8 @@
 use super::residuals::Level;
 use super::retraction::{From, Retraction, slopes};
 use super::{Equations, Surface};
-use crate::linear::{Independence, SaddlePoint};
+use crate::linear::{Gradients, Independence, SaddlePoint};
+use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::footing::Footing;
@@ -40,8 +41,10 @@ where
                 accelerations = Some(balance.accelerations);
             }
             let Equations { saddle, gradients, forces, .. } = equations;
+            let borne = gradients.borne(&balance.multipliers);
             let retraction = Retraction::with(state, residuals, (saddle, gradients));
-            ulps_a = retraction.metric.ulps(retraction.strength(&forces, &balance.multipliers));
+            let ulps = array(|i| S::Scalar::epsilon() * (forces[i].abs() + borne[i]));
+            ulps_a = retraction.metric.accelerated(&ulps);
             retraction
         }
         None => Retraction::new(system, state, residuals),
@@ -71,13 +74,6 @@ impl<S, const N: usize, const K: usize, const C: usize> Retraction<S, N, K, C>
 where
     S: Surface<N, K, C>,
 {
-    /// The largest of some forces and of those of constraints with some multipliers, as an acceleration in
-    /// the kinetic metric.
-    fn strength(&self, forces: &[S::Scalar; N], multipliers: &[S::Scalar; C]) -> S::Scalar {
-        let borne = multipliers.iter().zip(&self.slopes);
-        borne.fold(self.metric.strength(forces), |most, (reaction, &slope)| most.max(reaction.abs() * slope))
-    }
-
     /// Whether the rows are as independent as the factors say. The factors are those of a state that was
     /// `reached` beside the constraints. The rows must be clearly independent, by more than the way from
     /// there can have contributed.

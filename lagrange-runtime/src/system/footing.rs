@@ -17,9 +17,9 @@ pub struct Footing<R, const N: usize> {
     pub ulps_q: [R; N],
     /// The same of the velocities.
     pub ulps_v: [R; N],
-    /// An ulp of the largest force, those of constraints included, as an acceleration in the unit of each
-    /// coordinate: where forces balance each other, no acceleration is known better than that. Zero if no
-    /// accelerations were asked for.
+    /// An ulp of the forces at each coordinate, those of constraints included, as an acceleration. Where
+    /// forces balance each other, their sum is not known better than that. Zero if no accelerations were
+    /// asked for.
     pub ulps_a: [R; N],
     /// The kinetic metric.
     pub metric: Metric<R, N>,

@@ -40,12 +40,6 @@ impl<R: Real, const N: usize> Metric<R, N> {
         x.iter().zip(&self.weights).fold(R::zero(), |most, (x, &weight)| most.max(x.abs() * weight))
     }
 
-    /// The largest of some forces, as an acceleration in these units.
-    #[inline(always)]
-    pub(crate) fn strength(&self, forces: &[R; N]) -> R {
-        forces.iter().zip(&self.units).fold(R::zero(), |most, (force, &unit)| most.max(force.abs() * unit))
-    }
-
     /// The largest of some coordinates, or velocities, in these units and as a number.
     #[inline(always)]
     pub(crate) fn sizes(&self, x: &[R; N]) -> [R; 2] {
@@ -73,6 +67,12 @@ impl<R: Real, const N: usize> Metric<R, N> {
     #[inline(always)]
     pub(crate) fn ulps(&self, extent: R) -> [R; N] {
         self.at_extent(R::epsilon() * extent)
+    }
+
+    /// The accelerations that forces of these sizes make of the coordinates alone.
+    #[inline(always)]
+    pub(crate) fn accelerated(&self, forces: &[R; N]) -> [R; N] {
+        array(|i| forces[i] * self.units[i] * self.units[i])
     }
 
     /// A number of this extent, in the unit of each coordinate.

@@ -103,3 +103,50 @@ fn a_block_that_is_caught_again_rests_in_a_few_steps() {
         }
     }
 }
+
+/// A block on a floor that bears it. A pulse pushes it along the floor.
+struct Pushed {
+    strength: f64,
+    width: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Pushed {
+    #[point(mass = 1.0)]
+    fn block(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        9.81 * q.y
+    }
+
+    #[force(at = block)]
+    fn pulse(&self, t: f64) -> Vector2<f64> {
+        Vector2::new(self.strength * (-((t - 1.37) / self.width).powi(2)).exp(), 0.0)
+    }
+
+    #[unilateral]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        q.y
+    }
+}
+
+/// The weight and the reaction have roundings of 1e-15. They do not act along the floor, so a smaller force
+/// does all that it does.
+#[test]
+fn roundings_of_a_weight_hide_no_force_along_the_floor() {
+    for strength in [1.0, 1e-12, 1e-17, 1e-25] {
+        for width in [0.3, 0.01, 0.001] {
+            for speed in [0.0, strength] {
+                let pushed = Pushed { strength, width };
+                let mut motion = pushed.simulate(State::new([0.0; 2], [speed, 0.0])).with_tolerance(1e-10);
+                let [found, _] = motion.advance_to(3.0).expect("motion: no obstacle").v;
+                let expected = speed + strength * width * core::f64::consts::PI.sqrt();
+                let error = found / expected - 1.0;
+                assert!(error.abs() < 1e-9, "{strength:e}, {width}, {speed:e}: {error:e}");
+            }
+        }
+    }
+}
