@@ -1,10 +1,11 @@
 //! How well the constraints determine a state: how independent they are there, and how well the state is
 //! known.
 
-use super::Surface;
 use super::residuals::Level;
 use super::retraction::{From, Retraction, slopes};
-use crate::linear::{Independence, SaddlePoint};
+use super::{Equations, Surface};
+use crate::linear::{Gradients, Independence, SaddlePoint};
+use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::footing::Footing;
@@ -31,14 +32,20 @@ where
 {
     let reached = *state;
     let residuals = system.residuals_at(state.t, &state.q, &state.v);
-    let mut accelerations = None;
+    let (mut accelerations, mut ulps_a) = (None, [num_traits::Zero::zero(); N]);
     let mut retraction = match inputs {
         Some(inputs) => {
             let equations = system.equations_at(constants, state.t, &state.q, &state.v, inputs);
-            if equations.saddle.independence().is_clear() {
-                accelerations = Some(equations.balance().accelerations);
+            let balance = equations.balance();
+            if balance.independence.is_clear() {
+                accelerations = Some(balance.accelerations);
             }
-            Retraction::with(state, residuals, (equations.saddle, equations.gradients))
+            let Equations { saddle, gradients, forces, .. } = equations;
+            let borne = gradients.borne(&balance.multipliers);
+            let retraction = Retraction::with(state, residuals, (saddle, gradients));
+            let ulps = array(|i| S::Scalar::epsilon() * (forces[i].abs() + borne[i]));
+            ulps_a = retraction.metric.accelerated(&ulps);
+            retraction
         }
         None => Retraction::new(system, state, residuals),
     };
@@ -58,6 +65,7 @@ where
         accelerations,
         ulps_q: ulps(Level::Positions),
         ulps_v: ulps(Level::Velocities),
+        ulps_a,
         metric: retraction.metric,
     })
 }

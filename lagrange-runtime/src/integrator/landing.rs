@@ -171,7 +171,7 @@ where
     ) -> bool {
         let defect = Defect::between(slopes, &self.accelerations(state));
         self.obeys(&defect, landing)
-            || self.obeys_with(&defect, landing, self.roundings(state, &landing.footing))
+            || self.obeys_rounded(&defect, state, landing, self.roundings(state, &landing.footing))
     }
 
     /// Whether constraints become more independent beyond a landing.
@@ -256,6 +256,34 @@ where
             <= self.bound(size, sizes.absolute) + roundings * span
     }
 
+    /// The same where forces balance each other: their sum has their roundings. Each acceleration has
+    /// roundings of its own, those of the forces at its coordinate and of the forces that constraints pass on
+    /// to it. So a small motion along a floor is not lost in the weight that the floor bears.
+    #[cold]
+    fn obeys_rounded(
+        &self,
+        defect: &Defect<S::Scalar, N>,
+        state: &State<S::Scalar, N>,
+        landing: &Landing<S::Scalar, N>,
+        roundings: S::Scalar,
+    ) -> bool {
+        if self.obeys_with(defect, landing, roundings) {
+            return true;
+        }
+        let none = State { t: num_traits::Zero::zero(), ..apart(state, state) };
+        let by = State { v: landing.footing.ulps_a, ..none };
+        // The second of two states is opposite to the first, and so is its part along the constraints.
+        let known = beside(&none, &by).step_by(2).fold(by.v, |known, change| {
+            let along = self.system.tangential_at(state, &change).v;
+            array(|i| larger(known[i], along[i].abs()))
+        });
+        let difference = array(|i| {
+            let x = defect.difference[i];
+            if x.abs() <= S::Scalar::from_f64(MARGIN) * known[i] { num_traits::Zero::zero() } else { x }
+        });
+        self.obeys_with(&Defect { difference, ..*defect }, landing, roundings)
+    }
+
     /// The change of the accelerations by rounding errors of the coordinates and of time. Where strong forces
     /// are in balance it exceeds the rounding errors of the accelerations.
     #[cold]
@@ -290,7 +318,9 @@ where
         let Landing { end, footing, sizes, .. } = landing;
         let span = (end.t - self.from.t).abs();
         let roundings = self.roundings(end, footing);
-        let gained = roundings * span;
+        // Roundings of the forces across the constraints are taken back.
+        let known = S::Scalar::from_f64(MARGIN) * footing.metric.extent(&footing.ulps_a);
+        let gained = larger(roundings, known) * span;
         let is_regular = footing.independence.are_far_apart();
         let is_across = || {
             let relative = relative(self.limits);
@@ -298,7 +328,7 @@ where
             let [size, speed] = sizes.of.each(|size| share * size);
             is_within(&apart(reached, end), footing, [size + gained * span, speed + gained])
         };
-        let obeys = |defect| self.obeys_with(&defect, landing, roundings);
+        let obeys = |defect| self.obeys_rounded(&defect, end, landing, roundings);
         let along = |mut defect: Defect<S::Scalar, N>| {
             if !is_regular {
                 let difference = State { v: defect.difference, ..apart(end, end) };

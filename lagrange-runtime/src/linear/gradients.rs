@@ -35,6 +35,9 @@ pub trait Gradients<R, const N: usize, const C: usize> {
     /// |A| x.
     fn slopes(&self, x: &[R; N]) -> [R; C];
 
+    /// |A|ᵀ |κ|.
+    fn borne(&self, kappa: &[R; C]) -> [R; N];
+
     /// A.
     fn rows(&self) -> [[R; N]; C];
 }
@@ -49,6 +52,17 @@ impl<R: Real, const N: usize, const C: usize> Gradients<R, N, C> for [[R; N]; C]
     fn slopes(&self, x: &[R; N]) -> [R; C] {
         let add = |sum, (a, &x): (&R, &R)| R::mul_add(a.abs(), x, sum);
         self.each_ref().each(|row| row.iter().zip(x).fold(R::zero(), add))
+    }
+
+    #[inline]
+    fn borne(&self, kappa: &[R; C]) -> [R; N] {
+        let mut sums = [R::zero(); N];
+        for (row, kappa) in self.iter().zip(kappa) {
+            for (sum, a) in sums.iter_mut().zip(row) {
+                *sum = R::mul_add(a.abs(), kappa.abs(), *sum);
+            }
+        }
+        sums
     }
 
     #[inline]
@@ -143,6 +157,20 @@ impl<R: Real, const N: usize, const C: usize, const A: usize> Gradients<R, N, C>
     #[inline]
     fn slopes(&self, x: &[R; N]) -> [R; C] {
         self.sums(x, R::abs)
+    }
+
+    #[inline]
+    fn borne(&self, kappa: &[R; C]) -> [R; N] {
+        let mut sums = [R::zero(); N];
+        for ((coordinates, row), &constraint) in self.iter().zip(self.pattern.order) {
+            let kappa = entry(kappa, constraint).abs();
+            for (&i, a) in coordinates.iter().zip(row) {
+                if let Some(sum) = sums.get_mut(i) {
+                    *sum = R::mul_add(a.abs(), kappa, *sum);
+                }
+            }
+        }
+        sums
     }
 
     #[inline]

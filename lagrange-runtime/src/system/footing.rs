@@ -17,6 +17,10 @@ pub struct Footing<R, const N: usize> {
     pub ulps_q: [R; N],
     /// The same of the velocities.
     pub ulps_v: [R; N],
+    /// An ulp of the forces at each coordinate, those of constraints included, as an acceleration. Where
+    /// forces balance each other, their sum is not known better than that. Zero if no accelerations were
+    /// asked for.
+    pub ulps_a: [R; N],
     /// The kinetic metric.
     pub metric: Metric<R, N>,
 }

@@ -69,6 +69,12 @@ impl<R: Real, const N: usize> Metric<R, N> {
         self.at_extent(R::epsilon() * extent)
     }
 
+    /// The accelerations that forces of these sizes make of the coordinates alone.
+    #[inline(always)]
+    pub(crate) fn accelerated(&self, forces: &[R; N]) -> [R; N] {
+        array(|i| forces[i] * self.units[i] * self.units[i])
+    }
+
     /// A number of this extent, in the unit of each coordinate.
     #[inline(always)]
     pub(crate) fn at_extent(&self, extent: R) -> [R; N] {

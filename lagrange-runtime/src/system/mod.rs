@@ -190,9 +190,9 @@ pub trait System<const N: usize, const K: usize = 0> {
         _state: &mut State<Self::Scalar, N>,
         _inputs: Option<&[Self::Scalar; K]>,
     ) -> Result<Footing<Self::Scalar, N>, Cause> {
-        let none = [num_traits::Zero::zero(); N];
+        let [ulps_q, ulps_v, ulps_a] = [[num_traits::Zero::zero(); N]; 3];
         let independence = Independence::clear(0);
-        Ok(Footing { independence, accelerations: None, ulps_q: none, ulps_v: none, metric: Metric::none() })
+        Ok(Footing { independence, accelerations: None, ulps_q, ulps_v, ulps_a, metric: Metric::none() })
     }
 
     /// Whether [`System::land_apart_at`] does anything.

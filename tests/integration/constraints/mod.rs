@@ -17,11 +17,13 @@
 //! | [`linkages`] | four-bar linkages, flat configurations |
 //! | [`many`] | many constraints that have few coordinates in common |
 //! | [`inputs`] | inputs, feedback, dissipation, constraints that move |
+//! | [`balanced`] | forces that balance each other: what moves are their roundings |
 //! | [`contradictions`] | constraints that no state satisfies together, and other ends of motions by their names |
 //! | [`baumgarte`] | stabilisation instead of projection |
 //! | [`formulations`] | Lagrangians as a whole, Chetaev's rule |
 //! | [`scalars`], [`units`], [`masses`] | single precision; units of mass, length and time; masses of very different sizes |
 
+mod balanced;
 mod baumgarte;
 mod beside;
 mod cases;

@@ -18,6 +18,7 @@ mod edges;
 mod fading;
 mod feet;
 mod friction;
+mod gripper;
 mod grooves;
 mod growing;
 mod heaps;
