@@ -57,6 +57,8 @@ STARTS = {
     "bilinear": (0.5, 2.0),
     "valley": (0.5, 2.0),
 }
+# The steps [s] in which a guard is looked at, a tenth of the shortest piece or less.
+SCANS = {"belt": "0.05", "bilinear": "0.1", "valley": "0.1"}
 
 
 def pendulum(k, phase, state, drag=0):
@@ -137,9 +139,9 @@ def run(name, state, end):
     p = case.mode
     while t < end:
         path = motion(name, state, p)
-        guard = lambda s: case.guard(path(s)[0], path(s)[1], p)
-        # Steps a tenth of the shortest piece or less, from beside the start, where the guard is zero.
-        step = mp.mpf("0.01")
+        guard = lambda s: case.guard(*path(s), p)
+        # From beside the start, where the guard is zero.
+        step = mp.mpf(SCANS.get(name, "0.01"))
         low = step
         while t + low < end and guard(low + step) > 0:
             low += step

@@ -1,6 +1,7 @@
 //! [`Smooth`]: systems whose motion has a Taylor series, and the series.
 
 use crate::linear::Independence;
+use crate::number::compensated::add_product;
 use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::System;
@@ -87,13 +88,12 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
     /// 1 to `orders`, smallest first.
     #[inline]
     pub fn gain(&self, theta: R, orders: usize) -> ([R; N], [R; N]) {
-        let [(first_q, tail_q), (first_v, tail_v)] = self.rates(theta, orders);
-        (array(|i| (first_q[i] + tail_q[i]) * theta), array(|i| (first_v[i] + tail_v[i]) * theta))
+        let [(q, _), (v, _)] = self.rates(theta, orders);
+        (array(|i| q[i] * theta), array(|i| v[i] * theta))
     }
 
-    /// The same changes, divided by `theta`, of the first order and of all others, which are smaller: a sum
-    /// of both would have a rounding error of the size of the first. Horner's scheme runs for odd and even
-    /// orders side by side, so that neither waits for the other.
+    /// The same changes, divided by `theta`, and what rounding has taken from the last sum. Horner's scheme
+    /// runs for odd and even orders side by side, so that neither waits for the other.
     #[inline]
     pub(crate) fn rates(&self, theta: R, orders: usize) -> [([R; N], [R; N]); 2] {
         let zero = [R::zero(); N];
@@ -117,9 +117,16 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
             add(&mut odd, odd_q, odd_v);
             add(&mut even, even_q, even_v);
         }
-        // Where both sums cancel, what is left has no errors of theirs.
-        let tail = |odd: &[R; N], even: &[R; N]| array(|i| R::mul_add(odd[i], theta, even[i]) * theta);
-        [(*first_q, tail(&odd.0, &even.0)), (*first_v, tail(&odd.1, &even.1))]
+        let sums = |first: &[R; N], even: &[R; N], odd: &[R; N]| {
+            let (mut sums, mut lost) = (*first, zero);
+            for i in 0..N {
+                // Where both sums cancel, what is left has no errors of theirs.
+                let others = R::mul_add(odd[i], theta, even[i]);
+                (sums[i], lost[i]) = add_product(first[i], R::zero(), others, theta);
+            }
+            (sums, lost)
+        };
+        [sums(first_q, &even.0, &odd.0), sums(first_v, &even.1, &odd.1)]
     }
 
     /// Derivatives of the velocities by the scaled time, `theta` units after the point of expansion:

@@ -6,7 +6,6 @@
 //! accelerations instead: whatever the forces are there, they change velocities by less than the tolerance.
 
 use super::super::hidden::{InEquations, Passage};
-use super::super::step_size;
 use super::{Jets, JetsMemory};
 use crate::number::elements::array;
 use crate::number::real::{Ordered, Real, any, larger, smaller};
@@ -21,7 +20,7 @@ const ACROSS: f64 = 4.0;
 
 /// The ratio of a leap to the one right before it. Where rounding keeps coordinates at the kink, or where no
 /// series exists at all, there is another one behind each.
-const LONGER: f64 = 2.0;
+const LONGER: f64 = 16.0;
 
 /// Leaps towards `target`, from the end of the last leap if it `has_leapt`. False where forces are too strong
 /// for it, as beside a pole. Derivatives of the motion would jump at the kink, so a motion with derivatives
@@ -64,7 +63,7 @@ where
         let q = array(|i| start.q[i] + h * (start.v[i] + half * h * a[i]));
         State { t: start.t + h, q, v: array(|i| start.v[i] + h * a[i]) }
     };
-    let absolute = limits.absolute.unwrap_or_else(num_traits::Zero::zero) + step_size::smallest();
+    let absolute = limits.absolute.unwrap_or_else(num_traits::Zero::zero);
     let speed = start.v.iter().fold(absolute, |most, v| most.max(limits.relative * v.abs()));
     // Zero over zero is the middle of the kink. A pole is infinite.
     let is_weak = |a: &[S::Scalar; N]| !a.iter().any(|a| any((*a * h).abs() - speed));

@@ -187,13 +187,14 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
     /// their residues.
     #[inline]
     fn moved(&self, theta: R) -> [State<R, N>; 2] {
-        let [(first_q, tail_q), (first_v, tail_v)] = self.series.rates(theta, self.orders);
+        let [(rates_q, lost_q), (rates_v, lost_v)] = self.series.rates(theta, self.orders);
         let [mut state, mut residue] = [self.start, self.residue];
-        for (rates_q, rates_v) in [(tail_q, tail_v), (first_q, first_v)] {
-            for i in 0..N {
-                (state.q[i], residue.q[i]) = add_product(state.q[i], residue.q[i], rates_q[i], theta);
-                (state.v[i], residue.v[i]) = add_product(state.v[i], residue.v[i], rates_v[i], theta);
-            }
+        let take = |x: &mut R, residue: &mut R, rate: R, lost: R| {
+            (*x, *residue) = add_product(*x, R::mul_add(lost, theta, *residue), rate, theta);
+        };
+        for i in 0..N {
+            take(&mut state.q[i], &mut residue.q[i], rates_q[i], lost_q[i]);
+            take(&mut state.v[i], &mut residue.v[i], rates_v[i], lost_v[i]);
         }
         [state, residue]
     }
