@@ -49,7 +49,8 @@ const ORDERS_PER_DIGIT: f64 = 0.8;
 
 /// The same where the tolerance means the accuracy of rounding. The terms of a long step are much larger than
 /// their sum, and so are their rounding errors: those of an oscillation add up to exp(ωt), while the number
-/// of steps falls with ωt alone. This order ends steps near ωt = 0.8; shorter ones would cost more than they gain.
+/// of steps falls with ωt alone. This order ends steps near ωt = 0.8; shorter ones would cost more than they
+/// gain.
 const ORDERS_AT_ROUNDING: f64 = 0.4;
 
 /// exp(−1 / `ORDERS_PER_DIGIT`): the ratio of successive terms of a series at the tolerated length. At the
