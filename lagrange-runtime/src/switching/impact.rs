@@ -302,6 +302,16 @@ where
         }
     }
 
+    /// Whether a slip in two directions goes on after these changes of velocities. A slip that is a rounding
+    /// error has no direction, and so its friction has none.
+    fn slips_on(&self, rows: [usize; 2], changes: &[S::Scalar; N]) -> bool {
+        let [(x, size_x), (y, size_y)] = rows.each(|row| {
+            let (before, change) = (entry(&self.laws.rows.rates, row), self.along(row, changes));
+            (before + change, entry(&self.speeds, row) + before.abs() + change.abs())
+        });
+        above(x.hypot(y), rounding::<S::Scalar>() * most(size_x, size_y))
+    }
+
     /// The rows where the demands of a combination do not agree with its consequences.
     fn faults_of<'a>(
         &'a self,
@@ -361,7 +371,11 @@ where
                         Part::On if parts.get(normal) != Some(&Part::Off) || given.is_positive() => {
                             !above(impulse.hypot(other), limit + part * limit + slack)
                         }
-                        Part::Forward if pair.is_none() => !above(-play, after),
+                        // Friction that has stopped a slip may be less than its limit.
+                        Part::Forward => match pair {
+                            None => !above(-play, after),
+                            Some(other) => self.slips_on([row, other], &strike.changes),
+                        },
                         Part::Backward => !above(-play, -after),
                         _ => true,
                     }

@@ -36,19 +36,20 @@ where
             let is_one = equations.saddle.is_independent() || driven.contains(&true);
             (is_finite && equations.saddle.vanishing().is_none()).then_some((changes, impulses, is_one))
         };
-        let found = |(changes, mut impulses, is_one): ([S::Scalar; N], _, bool)| {
-            let after = array(|i| v[i] + changes[i]);
-            if !is_one && let Some(possible) = self.possible(&regime, &after, &impulses) {
+        // Friction has the directions that it had in the equations, at the velocities `v`. Those after the
+        // impact agree with them only as far as the search has come.
+        let found = |(changes, mut impulses, is_one): ([S::Scalar; N], _, bool), v: &[S::Scalar; N]| {
+            if !is_one && let Some(possible) = self.possible(&regime, v, &impulses) {
                 impulses = possible;
             }
-            let impulses = self.with_friction(&regime, impulses, &demand.given, &after);
+            let impulses = self.with_friction(&regime, impulses, &demand.given, v);
             Impulses { changes, impulses, active: regime.active }
         };
         // A slip in two directions is sought so that friction opposes the slip that follows.
         let zero: S::Scalar = num_traits::Zero::zero();
         let turns = |row: usize| entry(&regime.slip, row) != zero;
         if const { !has_pairs(&S::ROWS) } || !pairs(&S::ROWS).any(|[row, _]| turns(row)) {
-            return solve(&in_regime, v).map(found);
+            return solve(&in_regime, v).map(|strike| found(strike, v));
         }
         let smooth = self.without_friction(parts, options, demand)?;
         let rates = &self.laws.rows.rates;
@@ -87,7 +88,7 @@ where
         let image =
             |changes: &[S::Scalar; N]| seek(changes).map(|(strike, _, _, is_done)| (strike.0, is_done));
         let changes = newton(near, &self.units, image).or(is_near.then_some(near))?;
-        seek(&changes).map(|(strike, ..)| found(strike))
+        seek(&changes).map(|(strike, ..)| found(strike, &array(|i| v[i] + changes[i])))
     }
 
     /// Impulses that contacts and frictions can give and that make the same changes of velocities as these,

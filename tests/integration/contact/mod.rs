@@ -36,6 +36,7 @@ mod letting_go;
 mod limits_of_rest;
 mod linkages;
 mod low_orders;
+mod momenta;
 mod narrow;
 mod nested;
 mod normals;
