@@ -10,6 +10,7 @@
 
 mod curve;
 mod glance;
+mod relieved;
 mod shared;
 mod zero;
 
@@ -130,10 +131,16 @@ where
                 self.pass(guard);
             }
         }
-        if self.all().next().is_none() {
+        let relieved = self.relieved();
+        if self.all().next().is_none() && relieved == [false; C] {
             return Ok(Found { first: None, how: How::Falls, until: num_traits::One::one() });
         }
-        self.closely(course, &ends, fired, attempts)
+        let mut found = self.closely(course, &ends, fired, attempts)?;
+        let before = found.first.as_ref().map_or(found.until, |(fall, _)| fall.place);
+        if let Some(first) = self.bears_again(&relieved, course, before) {
+            (found.first, found.how) = (Some(first), How::Shared);
+        }
+        Ok(found)
     }
 
     /// The same for guards that may fall: on parts of the step, with the rounding errors of each.
@@ -147,7 +154,7 @@ where
     ) -> Result<Found<S::Scalar>, Cause> {
         let mut found = Found { first: None, how: How::Falls, until: num_traits::One::one() };
         let borne = self.borne(course);
-        let sharing = self.sharing();
+        let sharing = self.sharing_along(course);
         for guard in Self::every() {
             if !self.has(guard) || matches!(guard, Guard::Row(row) if sharing.get(row) == Some(&true)) {
                 continue;

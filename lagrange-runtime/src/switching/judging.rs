@@ -3,6 +3,7 @@
 use super::choice::{Choice, is_limit};
 use super::scene::{Scene, Status, above, entry, most, rounding};
 use super::trials::Part;
+use super::turning::has_pairs;
 use super::{Row, Switching};
 use crate::number::elements::Each;
 use crate::number::real::Real;
@@ -70,7 +71,16 @@ where
                     let side = if part == Part::Against { -reaction } else { reaction };
                     !above(-slack, side)
                 }
-                (Row::Unilateral, Part::On) => !above(-slack, reaction),
+                (Row::Unilateral, Part::On) => {
+                    // Slips in two directions may turn, so that the load of a spring that would pull counts.
+                    let is_lifted = || {
+                        slides
+                            && const { has_pairs(&S::ROWS) }
+                            && !above(reaction, slack)
+                            && self.is_lifted(row, &trial.regime.active, &trial.multipliers)
+                    };
+                    !above(-slack, reaction) && !is_lifted()
+                }
                 (Row::Unilateral, _) if status != Status::Apart => {
                     let is_relieved = || {
                         slides

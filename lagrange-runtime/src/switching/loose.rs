@@ -11,7 +11,7 @@ use super::scene::{Scene, Status, above, entry};
 use super::trials::{Options, Part, combine, regime};
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
-use crate::number::elements::{Each, array};
+use crate::number::elements::array;
 use crate::number::real::{Ordered, Real};
 use crate::system::error::Cause;
 use crate::system::state::State;
@@ -57,8 +57,28 @@ where
         }
         let State { t, q, v } = &self.state;
         let equations = S::equations_in(&self.system.in_regime(present), *t, q, v, self.inputs)?;
-        let is_shared = is_shared(&S::ROWS, &equations.saddle, &equations.gradients, row);
+        let is_shared = !equations.saddle.is_independent() && self.shared(present).get(row) == Some(&true);
         if is_shared { self.trial(*present) } else { None }
+    }
+
+    /// The rows whose reaction the motion does not determine, or what limits it: other reactions give the
+    /// same forces, with those of the frictions that they drive. Feet that slip in different directions share
+    /// no load: other reactions would give another motion.
+    #[cold]
+    pub(super) fn shared(&self, regime: &Regime<S::Scalar, C, W>) -> [bool; C] {
+        let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
+        let spread = self.spread(regime, &self.drags(regime, &self.state.v));
+        let is_own = |row: usize| {
+            let unit = array(|other| if other == row { one } else { zero });
+            above((one - entry(&spread.shortest(&unit), row)).abs(), S::Scalar::epsilon().sqrt())
+        };
+        array(|row| {
+            let (pair, normal) = match S::ROWS[row] {
+                Row::Friction { pair, normal } => (pair, normal),
+                _ => (None, None),
+            };
+            is_own(row) || pair.is_some_and(is_own) || normal.is_some_and(is_own)
+        })
     }
 
     /// The same with reactions from other sides of constraints that limit frictions, if these share the load
@@ -159,27 +179,4 @@ where
 /// Whether a row may share a load.
 pub(super) fn may_share<const C: usize>(rows: &[Row; C], row: usize) -> bool {
     matches!(rows.get(row), Some(Row::Friction { .. } | Row::Unilateral))
-}
-
-/// Whether the motion does not determine the reaction of a row, or what limits it: other reactions give the
-/// same forces.
-pub(super) fn is_shared<R: Real, const N: usize, const C: usize>(
-    rows: &[Row; C],
-    saddle: &impl SaddlePoint<R, N, C>,
-    gradients: &[[R; N]; C],
-    row: usize,
-) -> bool {
-    if saddle.is_independent() {
-        return false;
-    }
-    let is_own = |row: usize| {
-        let Some(gradient) = gradients.get(row) else { return false };
-        let (_, shortest) = saddle.solve(&gradient.each(|entry: R| -entry), &[R::zero(); C]);
-        above((R::one() - entry(&shortest, row)).abs(), R::epsilon().sqrt())
-    };
-    let (pair, normal) = match rows.get(row) {
-        Some(&Row::Friction { pair, normal }) => (pair, normal),
-        _ => (None, None),
-    };
-    is_own(row) || pair.is_some_and(is_own) || normal.is_some_and(is_own)
 }

@@ -20,22 +20,35 @@ where
     /// loads, forces or impulses. No if the motion that they leave can open it.
     #[cold]
     pub(super) fn would_bear(&self, row: usize, active: &[bool; C], loads: &[S::Scalar; C]) -> bool {
+        self.pressing(row, active, loads).is_positive()
+    }
+
+    /// Whether an active contact that bears nothing would be lifted if the others were such springs.
+    #[cold]
+    pub(super) fn is_lifted(&self, row: usize, active: &[bool; C], loads: &[S::Scalar; C]) -> bool {
+        (-self.pressing(row, &array(|other| active[other] && other != row), loads)).is_positive()
+    }
+
+    /// How far such springs under active contacts press a contact that depends on them into its surface; zero
+    /// for another contact, and where it is a rounding error.
+    fn pressing(&self, row: usize, active: &[bool; C], loads: &[S::Scalar; C]) -> S::Scalar {
         let zero: S::Scalar = num_traits::Zero::zero();
         let State { t, q, v } = &self.state;
         let regime = Regime { active: *active, kinks: self.kinks, ..Regime::open(&S::ROWS) };
-        let Some(own) = self.gradients.get(row) else { return false };
+        let Some(own) = self.gradients.get(row) else { return zero };
         let Some(equations) = S::equations_in(&self.system.in_regime(&regime), *t, q, v, self.inputs) else {
-            return false;
+            return zero;
         };
         let half = S::Scalar::epsilon().sqrt();
         let mobility = product(own, &equations.saddle.solve(own, &[zero; C]).0);
         if above(mobility, half * self.effect(row, &array(|i| own[i].abs()))) {
-            return false;
+            return zero;
         }
         let is_spring = |row: usize| active[row] && S::ROWS[row] == Row::Unilateral;
         let springs = array(|row| if is_spring(row) { loads[row] } else { zero });
         let (shift, _) = equations.saddle.solve(&[zero; N], &springs);
-        above(product(own, &shift), half * extent(own, &shift))
+        let depth = product(own, &shift);
+        if above(depth.abs(), half * extent(own, &shift)) { depth } else { zero }
     }
 
     /// Whether a friction slips, in one of these ways, under a load that contacts determine.

@@ -141,9 +141,8 @@ where
                 state.v = choice.velocities;
                 shift(state, &gained, late);
             }
-            let in_regime = self.system.in_regime(&choice.regime);
             let before = state.q;
-            in_regime.project_at(&in_regime.constants(), state, None)?;
+            scene.bring_onto(&choice.regime, state)?;
             scene.part(&choice.regime, state);
             first.hold_lost(&choice.velocities, &state.v, &mut choice.regime);
             first.still(&mut state.v, &choice.regime);

@@ -10,6 +10,8 @@ use super::sided::laws_on;
 use super::{Coefficients, Laws, Regime, Row, Switching};
 use crate::number::elements::array;
 use crate::number::real::Real;
+use crate::system::System;
+use crate::system::error::Cause;
 use crate::system::state::State;
 
 /// The number of a row; zero if there is no such row.
@@ -293,6 +295,39 @@ where
                 *v -= v.part(0);
             }
         }
+    }
+
+    /// Brings a state onto the constraints of a regime. A friction at rest demands nothing of places, but
+    /// corrections of places keep to it. Where it depends on the contacts, as a brake of the angle of a box
+    /// on two feet does, a foot would stay beside the floor. So the contacts are closed without it.
+    pub(super) fn bring_onto(
+        &self,
+        regime: &Regime<S::Scalar, C, W>,
+        state: &mut State<S::Scalar, N>,
+    ) -> Result<(), Cause> {
+        let bring = |regime: &Regime<S::Scalar, C, W>, state: &mut State<S::Scalar, N>| {
+            let in_regime = self.system.in_regime(regime);
+            in_regime.project_at(&in_regime.constants(), state, None)
+        };
+        bring(regime, state)?;
+        let mut loose = *regime;
+        for (is_active, _) in
+            loose.active.iter_mut().zip(&S::ROWS).filter(|(_, row)| matches!(row, Row::Friction { .. }))
+        {
+            *is_active = false;
+        }
+        let is_contact = |row: &usize| S::ROWS[*row] == Row::Unilateral && regime.active[*row];
+        if loose.active == regime.active || !(0..C).any(|row| is_contact(&row)) {
+            return Ok(());
+        }
+        let rows = laws_on(self.system, state, self.inputs, &self.kinks).rows;
+        let is_beside =
+            |row: usize| above(rows.positions[row].abs(), rounding::<S::Scalar>() * rows.position_sizes[row]);
+        if (0..C).filter(is_contact).any(is_beside) {
+            bring(&loose, state)?;
+            bring(regime, state)?;
+        }
+        Ok(())
     }
 
     /// Removes coordinates that have no digits, like a velocity that has been stopped: those of which a

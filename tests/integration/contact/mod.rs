@@ -1,5 +1,6 @@
 //! Contacts, dry friction and kinks: published cases (N01 to N14) and what their laws imply.
 
+mod balance;
 mod balls;
 mod bearings;
 mod belts;

@@ -9,10 +9,11 @@ use super::super::Switching;
 use super::super::course::Course;
 use super::super::guards::{Guard, Guards, PLACES, Parts};
 use super::super::known::Known;
-use super::super::loose::{is_shared, may_share};
+use super::super::loose::may_share;
 use super::super::scales::Scales;
 use super::super::scene::{Scene, Sticking, above, rounding};
 use super::super::turning::has_pairs;
+use crate::linear::SaddlePoint;
 use crate::motion::roots::{Fall, reach};
 use crate::number::elements::array;
 use crate::number::real::{Ordered, Real, larger, smaller};
@@ -53,18 +54,29 @@ where
 
     /// The frictions that stick and the contacts that bear, are watched and share a load.
     pub(in crate::switching) fn sharing(&self) -> [bool; C] {
-        let mut sharing = array(|row| self.has(Guard::Row(row)) && self.may_share(Guard::Row(row)));
+        let sharing: [bool; C] = array(|row| self.has(Guard::Row(row)) && self.may_share(Guard::Row(row)));
         if !sharing.contains(&true) {
             return sharing;
         }
         let State { t, q, v } = self.start;
         let equations = S::equations_in(self.in_regime, *t, q, v, self.inputs);
-        for (row, shares) in sharing.iter_mut().enumerate().filter(|(_, shares)| **shares) {
-            *shares = equations
-                .as_ref()
-                .is_some_and(|found| is_shared(&S::ROWS, &found.saddle, &found.gradients, row));
+        if equations.is_none_or(|found| found.saddle.is_independent()) {
+            return [false; C];
         }
-        sharing
+        let shared = self.scene(self.start).shared(self.regime);
+        array(|row| sharing[row] && shared[row])
+    }
+
+    /// Those that do on all of a step: feet that slip share a load only while their slips have one direction.
+    pub(super) fn sharing_along(&self, course: &Course<'_, S::Scalar, N>) -> [bool; C] {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let sharing = self.sharing();
+        let slides = Scene::<S, N, K, C, W>::slides(|row| self.regime.slip.get(row) != Some(&zero));
+        if !const { has_pairs(&S::ROWS) } || !slides || !sharing.contains(&true) {
+            return sharing;
+        }
+        let shared = self.scene(&course.at(self.start, num_traits::One::one())[0]).shared(self.regime);
+        array(|row| sharing[row] && shared[row])
     }
 
     /// The part of the step on which the series of all reactions converge. There a load has no more turns
@@ -165,11 +177,15 @@ where
         }
     }
 
+    /// A state of the step, with contacts closed as in the regime.
+    pub(super) fn scene<'s>(&'s self, state: &State<S::Scalar, N>) -> Scene<'s, S, N, K, C, W> {
+        let known = Known::settled(self.regime.active);
+        Scene::new(self.system, state, self.inputs, self.regime.kinks, &Scales::new(), &known)
+    }
+
     /// Whether reactions are possible with which all goes on at a state as it does in the regime.
     fn holds(&self, state: &State<S::Scalar, N>, way: Way) -> bool {
-        let known = Known::settled(self.regime.active);
-        let kinks = self.regime.kinks;
-        let scene = Scene::new(self.system, state, self.inputs, kinks, &Scales::new(), &known);
+        let scene = self.scene(state);
         let Some((balance, _)) = scene.balance(self.regime, &state.v) else { return false };
         let drags = scene.drags(self.regime, &state.v);
         match way {
@@ -186,7 +202,7 @@ where
 
 /// The place up to which something holds between one at which it does and one at which it does not, and the
 /// next one.
-fn halved<R: Ordered>(mut low: R, mut high: R, holds: impl Fn(R) -> bool) -> [R; 2] {
+pub(super) fn halved<R: Ordered>(mut low: R, mut high: R, holds: impl Fn(R) -> bool) -> [R; 2] {
     for _ in 0..HALVINGS {
         let middle = R::from_f64(0.5) * (low + high);
         if middle <= low || middle >= high {
