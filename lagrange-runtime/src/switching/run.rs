@@ -244,7 +244,7 @@ where
                 (found.as_ref().and_then(|event| event.guard), [false; C]);
             self.memory.is_cut = found.is_some() && self.memory.fired.is_none();
             // Kinks alone have no gaps, and no scales.
-            if C > 0 {
+            if C > 0 && self.memory.fired.is_none() {
                 let State { t, q, v } = found.as_ref().map_or(end, |event| event.state);
                 let laws = self.system.laws_at(t, &q, &v, &self.control.0);
                 self.memory.scales.see(t, &laws);
