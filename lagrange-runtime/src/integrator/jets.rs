@@ -69,15 +69,19 @@ const AT_ROUNDING: f64 = 8.0;
 /// smaller one by far. The compensated sums of the state carry the additional digits.
 const FINEST: f64 = 1e-3;
 
+/// Whether a tolerance means the accuracy of rounding.
+#[inline]
+pub(crate) fn is_at_rounding<R: Ordered>(tolerance: R) -> bool {
+    tolerance <= R::from_f64(AT_ROUNDING) * R::epsilon()
+}
+
 /// The bound of the last term for a tolerance, both relative to the size of a component.
 #[inline]
 pub(crate) fn last_term<R: Ordered>(tolerance: R) -> R {
-    let rounding = R::epsilon();
-    // A tolerance near ε means the accuracy of rounding.
-    if tolerance > R::from_f64(AT_ROUNDING) * rounding {
-        R::from_f64(SAFETY) * tolerance
+    if is_at_rounding(tolerance) {
+        R::from_f64(FINEST) * R::epsilon()
     } else {
-        R::from_f64(FINEST) * rounding
+        R::from_f64(SAFETY) * tolerance
     }
 }
 
@@ -94,8 +98,7 @@ pub(crate) const NEAR: f64 = 64.0;
 #[inline]
 pub(crate) fn orders<R: Ordered>(relative: R, per_digit: f64) -> usize {
     let digits = -last_term(relative).ln();
-    let at_rounding = relative <= R::from_f64(AT_ROUNDING) * R::epsilon();
-    let per_digit = if at_rounding { ORDERS_AT_ROUNDING } else { per_digit };
+    let per_digit = if is_at_rounding(relative) { ORDERS_AT_ROUNDING } else { per_digit };
     let mut orders = 4;
     // The smallest integer that is not below a number, for a generic scalar.
     while orders < HIGHEST && R::from_f64(orders as f64) < R::from_f64(per_digit) * digits + R::one() {

@@ -88,14 +88,14 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
     /// 1 to `orders`, smallest first.
     #[inline]
     pub fn gain(&self, theta: R, orders: usize) -> ([R; N], [R; N]) {
-        let [(q, _), (v, _)] = self.rates(theta, orders);
+        let [(q, _), (v, _)] = self.rates(theta, orders, false);
         (array(|i| q[i] * theta), array(|i| v[i] * theta))
     }
 
-    /// The same changes, divided by `theta`, and what rounding has taken from the last sum. Horner's scheme
-    /// runs for odd and even orders side by side, so that neither waits for the other.
+    /// The same changes, divided by `theta`, and with `all_digits` what rounding has taken from the last sum.
+    /// Horner's scheme runs for odd and even orders side by side, so that neither waits for the other.
     #[inline]
-    pub(crate) fn rates(&self, theta: R, orders: usize) -> [([R; N], [R; N]); 2] {
+    pub(crate) fn rates(&self, theta: R, orders: usize, all_digits: bool) -> [([R; N], [R; N]); 2] {
         let zero = [R::zero(); N];
         let (mut odd, mut even) = ((zero, zero), (zero, zero));
         let square = theta * theta;
@@ -122,7 +122,11 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
             for i in 0..N {
                 // Where both sums cancel, what is left has no errors of theirs.
                 let others = R::mul_add(odd[i], theta, even[i]);
-                (sums[i], lost[i]) = add_product(first[i], R::zero(), others, theta);
+                if all_digits {
+                    (sums[i], lost[i]) = add_product(first[i], R::zero(), others, theta);
+                } else {
+                    sums[i] = R::mul_add(others, theta, first[i]);
+                }
             }
             (sums, lost)
         };

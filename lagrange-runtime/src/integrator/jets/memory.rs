@@ -5,7 +5,7 @@ use num_traits::{One, Zero};
 use super::super::landing::{Determined, across};
 use super::super::step_size;
 use super::fall::{bounded, reach, steepest};
-use super::{DECAY, GROWTH, ORDERS_PER_DIGIT, SAFETY, last_term, orders};
+use super::{DECAY, GROWTH, ORDERS_PER_DIGIT, SAFETY, is_at_rounding, last_term, orders};
 use crate::constraints::Footing;
 use crate::linear::Independence;
 use crate::number::compensated::add_product;
@@ -187,7 +187,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
     /// their residues.
     #[inline]
     fn moved(&self, theta: R) -> [State<R, N>; 2] {
-        let [(rates_q, lost_q), (rates_v, lost_v)] = self.series.rates(theta, self.orders);
+        let [(rates_q, lost_q), (rates_v, lost_v)] =
+            self.series.rates(theta, self.orders, is_at_rounding(self.tolerance));
         let [mut state, mut residue] = [self.start, self.residue];
         let take = |x: &mut R, residue: &mut R, rate: R, lost: R| {
             (*x, *residue) = add_product(*x, R::mul_add(lost, theta, *residue), rate, theta);
