@@ -49,9 +49,9 @@ const ORDERS_PER_DIGIT: f64 = 0.8;
 
 /// The same where the tolerance means the accuracy of rounding. The terms of a long step are much larger than
 /// their sum, and so are their rounding errors: those of an oscillation add up to exp(ωt), while the number
-/// of steps falls with ωt alone. This order ends steps near ωt = 0.8; shorter ones would cost more than they
-/// gain.
-const ORDERS_AT_ROUNDING: f64 = 0.4;
+/// of steps falls with ωt alone. This order ends steps near ωt = 1. Shorter ones are more accurate yet, and
+/// cost more.
+const ORDERS_AT_ROUNDING: f64 = 0.43;
 
 /// exp(−1 / `ORDERS_PER_DIGIT`): the ratio of successive terms of a series at the tolerated length. At the
 /// accuracy of rounding terms fall faster, which is on the safe side.
@@ -311,7 +311,7 @@ mod tests {
             assert_eq!(orders(tolerance, 0.8), order, "{tolerance:e}");
         }
         assert_eq!(orders(1e-14, 10.0), HIGHEST);
-        // One more than 0.4 of −ln(1e-3 ulps) = 43.0.
-        assert_eq!(orders(1e-15, 0.8), 19);
+        // One more than 0.43 of −ln(1e-3 ulps) = 43.0.
+        assert_eq!(orders(1e-15, 0.8), 20);
     }
 }
