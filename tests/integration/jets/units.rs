@@ -172,8 +172,7 @@ fn elastic<R: Ordered>(length: R, tolerance: f64) -> ([R; 4], u64) {
     let start = State::new([of(1.125), of(0.25)], [of(0.125), of(1.25)]);
     let pendulum = Elastic { length };
     let mut motion = pendulum.simulate(start).with_tolerance(R::from_f64(tolerance));
-    let ([x, y], [vx, vy]) =
-        (|state: &State<R, 2>| (state.q, state.v))(motion.advance_to(R::from_f64(3.0)).unwrap());
+    let State { q: [x, y], v: [vx, vy], .. } = *motion.advance_to(R::from_f64(3.0)).unwrap();
     ([x, y, vx, vy].map(|x| x / length), motion.steps().accepted)
 }
 
