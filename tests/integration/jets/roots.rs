@@ -73,7 +73,9 @@ fn roots_of_squares_are_absolute_values() {
         let expected = end(&Absolute { pull }, start, 1e-13, 3.0);
         for found in [end(&Root { pull }, start, tolerance, 3.0), end(&Norm { pull }, start, tolerance, 3.0)]
         {
-            close_on(1.0, found.q[0], expected.q[0], 1e3 * tolerance);
+            // A kink behind a square is known to √ε of the way, at each of four passages at most.
+            let bound = 1e3 * tolerance + 4.0 * f64::EPSILON.sqrt();
+            close_on(1.0, found.q[0], expected.q[0], bound);
         }
         // This one folds at π as well.
         if expected.q[0].abs() < 1.0 && start.v[0].abs() < 1.0 && pull > 1.0 {
