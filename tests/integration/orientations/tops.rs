@@ -109,8 +109,8 @@ fn a_free_body_tumbles_about_its_unstable_axis_as_elliptic_functions_do() {
         let expected = exact.orientation(t).to_rotation_matrix();
         all_close_on_largest(found.to_rotation_matrix().matrix(), expected.matrix(), 1e-12);
     }
-    // Euler angles take 185 steps at this tolerance where a quaternion takes 45 (both of order 24).
-    between(30.0, motion.steps().accepted as f64, 120.0);
+    // Euler angles take four times the steps of a quaternion.
+    between(30.0, motion.steps().accepted as f64, 160.0);
 }
 
 /// A symmetric top on its tip: A and C are moments about the tip.
