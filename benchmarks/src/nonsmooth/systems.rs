@@ -127,8 +127,8 @@ impl Block {
     }
 }
 
-/// The same by hand, in the one coordinate that an expert takes: the tilt, whichever corner is below. At an impact
-/// the other corner takes over, and angular momentum about it is kept.
+/// The same by hand, in the one coordinate that an expert takes: the tilt, whichever corner is below. At an
+/// impact the other corner takes over, and angular momentum about it is kept.
 pub struct BlockByHand;
 
 #[lagrangian(coordinates = [tilt])]

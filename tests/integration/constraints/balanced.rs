@@ -49,8 +49,8 @@ impl Clamp {
     }
 }
 
-/// A velocity that is a rounding of the forces has no digits. An error is never small beside it, however short
-/// a step is. So forces are the measure.
+/// A velocity that is a rounding of the forces has no digits. An error is never small beside it, however
+/// short a step is. So forces are the measure.
 #[test]
 fn a_clamp_that_rests_takes_steps_of_its_forces() {
     let mut samples = Samples::new(17);

@@ -55,15 +55,17 @@ fn a_hopper_lifts_off_within_any_step() {
         let start = State::new([1.0 + 7e-3 * f64::from(number), 0.0], [-0.5, 0.0]);
         let mut motion = hopper.stepper::<Jet<6>>(start);
         for _ in 0..1000 {
-            let was_down = motion.state().q[1] == 0.0;
+            // What stands on the floor is beside it by the rounding errors of its landing.
+            let is_up = |state: &State<f64, 2>| state.q[1] > 1e-15;
+            let was_up = is_up(motion.state());
             motion.step(1e-3, &[]).unwrap();
-            lifted += usize::from(was_down && motion.state().q[1] > 0.0);
+            lifted += usize::from(!was_up && is_up(motion.state()));
         }
         let end = *hopper.simulate(start).with_tolerance(1e-12).advance_to(motion.state().t).unwrap();
         close_on(1.0, motion.state().q[0], end.q[0], 1e-8);
         close_on(1.0, motion.state().q[1], end.q[1], 1e-8);
     }
-    assert!(lifted >= 30, "{lifted}");
+    assert!(lifted > 60, "{lifted}");
 }
 
 /// A mass whose brake grips ever harder from some time on.

@@ -73,7 +73,7 @@ fn roots_of_squares_are_absolute_values() {
         let expected = end(&Absolute { pull }, start, 1e-13, 3.0);
         for found in [end(&Root { pull }, start, tolerance, 3.0), end(&Norm { pull }, start, tolerance, 3.0)]
         {
-            // A kink behind a square is known to about √ε of the way alone: 6 of 4000 draws at 1e-11 are worse.
+            // A kink behind a square is known to about √ε of the way: 6 of 4000 draws at 1e-11 are worse.
             let bound = 1e3 * tolerance + 4.0 * f64::EPSILON.sqrt();
             close_on(1.0, found.q[0], expected.q[0], bound);
         }

@@ -24,7 +24,10 @@ where
     pub(super) fn relieved(&self) -> [bool; C] {
         let zero: S::Scalar = num_traits::Zero::zero();
         let slides = Scene::<S, N, K, C, W>::slides(|row| self.regime.slip.get(row) != Some(&zero));
-        let is_open = |row: usize| S::ROWS[row] == Row::Unilateral && !self.regime.active[row];
+        // A gap that stays positive on the step is watched no more.
+        let is_open = |row: usize| {
+            S::ROWS[row] == Row::Unilateral && !self.regime.active[row] && self.has(Guard::Row(row))
+        };
         if !slides || !(0..C).any(is_open) {
             return [false; C];
         }
