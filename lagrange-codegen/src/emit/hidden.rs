@@ -68,9 +68,10 @@ fn visiting(
     let powers: Vec<u32> = hidden.bases.iter().map(|&(_, power)| power).collect();
     let body = body::plain(model, &emission.scalar, &hidden.all(), source, |values| values.list());
     format!(
-        "lagrange::hidden(__states, __inputs, (&{powers:?}, {}), \
+        "lagrange::hidden(__states, __inputs, (&{powers:?}, {}, {}), \
          |t, q: &{vector}, v: &{vector}, u: &{inputs}| {{\n\
          {entry}{body}\n}}, __visit);",
-        hidden.roots.len()
+        hidden.roots.len(),
+        hidden.angles.len()
     )
 }

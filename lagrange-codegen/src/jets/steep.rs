@@ -34,13 +34,17 @@ pub struct Hidden {
     /// Functions that vanish where others have a kink or a pole: what a root or a logarithm is taken of, and
     /// what divides.
     pub roots: Vec<NodeId>,
+    /// The angles that all these turn with. Where forces hardly change, a series is good for several turns,
+    /// and a few places of the step would tell nothing of a function of the angle.
+    pub angles: Vec<NodeId>,
 }
 
 impl Hidden {
-    /// All of them, arguments first and roots last.
+    /// All of them: arguments, bases, roots, angles.
     pub fn all(&self) -> Vec<NodeId> {
         let bases = self.bases.iter().map(|&(base, _)| base);
-        self.arguments.iter().copied().chain(bases).chain(self.roots.iter().copied()).collect()
+        let (arguments, roots) = (self.arguments.iter().copied(), self.roots.iter().copied());
+        arguments.chain(bases).chain(roots).chain(self.angles.iter().copied()).collect()
     }
 
     /// The line in `STRUCTURE`.
@@ -66,7 +70,26 @@ pub(super) fn hidden(
     divisors: &[NodeId],
     switches: &[Switch],
 ) -> Option<Hidden> {
-    found(graph, (roots, divisors), switches, argument_of)
+    let mut found = found(graph, (roots, divisors), switches, argument_of)?;
+    found.angles = angles(graph, found.all());
+    found.angles.truncate(MOST);
+    Some(found)
+}
+
+/// The angles whose sines, cosines and tangents are in these functions.
+fn angles(graph: &Graph, functions: Vec<NodeId>) -> Vec<NodeId> {
+    let mut angles = Vec::new();
+    for id in graph.cone(functions) {
+        match *graph.node(id) {
+            Node::Unary(Unary::Sin | Unary::Cos | Unary::Tan, angle)
+                if is_known(graph, angle) && !angles.contains(&angle) =>
+            {
+                angles.push(angle);
+            }
+            _ => {}
+        }
+    }
+    angles
 }
 
 /// The same of functions beside the equations, whose roots have no say in a step. They count where they are

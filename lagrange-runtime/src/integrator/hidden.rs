@@ -5,10 +5,14 @@
 //! narrow function lies where its argument passes zero, or is largest or smallest, and its width is the time
 //! in which the argument changes by one. A power, such as (x² + ε²)^(−3/2) or cos⁴⁰t, is narrow where its
 //! base is smallest or largest, and its width is the time in which it changes by a factor of about e. A root
-//! or a pole has its kink where its base vanishes.
+//! or a pole has its kink where its base vanishes. Places tell little of a function of an angle that turns
+//! about between them, so a step turns angles no further than they can follow.
+
+mod part;
 
 use core::cell::Cell;
 
+use self::part::Part;
 use crate::number::elements::{Each, array};
 use crate::number::real::{Real, any};
 use crate::system::System;
@@ -20,18 +24,16 @@ use crate::system::state::State;
 /// equations. The last one is the end of the step.
 pub(crate) const PLACES: usize = 7;
 
-/// The most steps of the search for a place. Every third one halves the bracket of its zero.
-const STEPS: usize = 159;
-
-/// How near, as a part of the width of the function, a place is found.
-const NEAR: f64 = 0.25;
-
 /// The most halvings of a step on which an argument varies too fast for the places.
 const HALVINGS: usize = 5;
 
 /// The third difference of an argument at places, as a part of its range, up to which they show its course: a
 /// sine has six of them in its period then.
 pub(super) const SMOOTH: f64 = 0.5;
+
+/// The most radians of an angle between two places. A function of its sine and cosine of up to degree three
+/// has more than two places in its period then.
+const RESOLVED: f64 = 1.0;
 
 /// Places between the others, in times between these: an argument that varies faster may look smooth at
 /// places that are evenly apart.
@@ -59,7 +61,7 @@ pub(crate) trait Hiding<R, const N: usize> {
 pub(crate) struct InEquations<'a, S, C, const K: usize> {
     pub system: &'a S,
     pub control: &'a C,
-    /// Whether roots count.
+    /// Whether roots count, and angles.
     pub roots: bool,
 }
 
@@ -75,7 +77,7 @@ where
     ) {
         let inputs = states.each(|state| self.control.inputs(&state));
         self.system.hidden_along(states, &inputs, |kind, values| {
-            if self.roots || kind != Hidden::Root {
+            if self.roots || !matches!(kind, Hidden::Root | Hidden::Angle) {
                 visit(kind, values);
             }
         });
@@ -113,21 +115,9 @@ struct Argument<'a, V> {
     value_at: &'a V,
 }
 
-/// The same on a part of the step.
-struct Part<'a, R, V> {
-    of: &'a Argument<'a, V>,
-    /// Where it begins, and the time between two places.
-    from: R,
-    apart: R,
-    /// The values at its samples.
-    values: [R; SAMPLES],
-    /// The end of the step.
-    end: R,
-}
-
 impl<H, R: Real, P> Passage<'_, H, R, P> {
-    /// Looks where functions may hide between places, and gives the lanes that disagree. Lanes without such a
-    /// function look at the end of the step.
+    /// Looks where functions may hide between places, and gives the lanes that disagree or in which an angle
+    /// turns about. Lanes without such a function look at the end of the step.
     pub(crate) fn search<const N: usize>(&self, look: impl FnMut(R) -> R) -> R
     where
         H: Hiding<R, N>,
@@ -149,6 +139,12 @@ impl<H, R: Real, P> Passage<'_, H, R, P> {
     {
         let (mut faults, mut index) = (R::zero(), 0);
         self.hiding.along(states, |kind, values| {
+            if kind == Hidden::Angle {
+                if let Some((evenly, _)) = values.split_first_chunk::<{ PLACES + 1 }>() {
+                    faults = faults.max(turns_about(evenly));
+                }
+                return;
+            }
             let value_at = |theta| {
                 let (mut found, mut other) = (R::zero(), 0);
                 self.hiding.along(&[(self.state_at)(theta)], |_, [value]| {
@@ -216,184 +212,14 @@ pub(crate) fn range<R: Real, const LENGTH: usize>(kind: Hidden, values: &[R; LEN
     [high - low, unit]
 }
 
-impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
-    fn range(&self) -> [R; 2] {
-        range(self.of.kind, &self.values)
-    }
-
-    /// Whether the places show the course of an argument of this range.
-    fn is_smooth(&self, [range, unit]: [R; 2]) -> bool {
-        let bound = (R::from_f64(SMOOTH) * range).max(unit);
-        let exceeds = |number: R, bound: R| any(number.abs() - bound);
-        let differ = |values: &[R]| match *values {
-            [a, b, c, d] => exceeds((d - a) - R::from_f64(3.0) * (c - b), bound),
-            _ => false,
-        };
-        let (places, between) = self.values.split_at(PLACES + 1);
-        let strays = |(index, at): (usize, f64)| {
-            let place = self.from + R::from_f64(at) * self.apart;
-            let value = between.get(index).copied().unwrap_or_else(|| (self.of.value_at)(place));
-            let cubic = places.get(at as usize - 1..).map_or(value, |around| cubic(around, at % 1.0));
-            exceeds(value - cubic, bound * R::from_f64(0.5))
-        };
-        !places.windows(4).any(differ) && !BETWEEN.into_iter().enumerate().any(strays)
-    }
-
-    fn at(&self, place: usize) -> (R, R) {
-        let value = self.values.get(place).copied().unwrap_or_else(R::zero);
-        (self.from + R::from_f64(place as f64) * self.apart, value)
-    }
-
-    /// Visits the places at which the function is largest or steepest. `unit` is the least change of the
-    /// argument that makes a difference.
-    fn places(&self, unit: R, visit: &mut impl FnMut(R)) {
-        for place in 1..PLACES + 1 {
-            self.crossings(self.at(place - 1), self.at(place), visit);
-        }
-        for place in 1..PLACES {
-            let middle = self.at(place);
-            let Some((vertex, width)) = self.vertex(place, unit) else { continue };
-            for beside in [R::zero(), -width, width] {
-                visit((vertex + beside).max(R::zero()).min(self.end));
-            }
-            // An argument that passes zero and comes back.
-            let turned = (vertex, (self.of.value_at)(vertex));
-            if any(-(turned.1 * middle.1)) {
-                self.crossings(self.at(place - 1), turned, visit);
-                self.crossings(turned, self.at(place + 1), visit);
-            }
-        }
-    }
-
-    /// Visits the places at which an argument passes one and minus one, and those on both sides of the zero
-    /// of a root.
-    fn crossings(&self, from: (R, R), to: (R, R), visit: &mut impl FnMut(R)) {
-        let (zero, one) = (R::zero(), R::one());
-        match self.of.kind {
-            Hidden::Argument => {}
-            Hidden::Base(_) => return,
-            Hidden::Root => {
-                let passes = -(from.1 * to.1);
-                if any(passes) {
-                    for beside in self.around(zero, from, to, passes) {
-                        visit(beside.where_positive(passes, self.end));
-                    }
-                }
-                return;
-            }
-        }
-        // Otherwise one of the places lies within the function.
-        let wide = (from.1 - to.1).abs() - (one + one);
-        if !any(wide) {
-            return;
-        }
-        // Zero may be one of the two places. A force may be none there.
-        for level in [-one, one] {
-            let opposite = wide.min(-((from.1 - level) * (to.1 - level)));
-            if any(opposite) {
-                visit(self.reaching(level, from, to, opposite));
-            }
-        }
-    }
-
-    /// The place at which the argument has a value, in the lanes where `active` is positive; the end in the
-    /// others.
-    fn reaching(&self, level: R, from: (R, R), to: (R, R), active: R) -> R {
-        let [_, theta] = self.around(level, from, to, active);
-        theta.where_positive(active, self.end)
-    }
-
-    /// Places on both sides of the one at which the argument has a value, the second one nearest to it, in
-    /// the lanes where `active` is positive. The Illinois variant of false position (M. Dowell, P. Jarratt,
-    /// BIT 11, 1971), with halvings between its steps.
-    fn around(&self, level: R, from: (R, R), to: (R, R), active: R) -> [R; 2] {
-        let (one, half) = (R::one(), R::from_f64(0.5));
-        let ((mut low, mut below), (mut high, mut above)) = ((from.0, from.1 - level), (to.0, to.1 - level));
-        // A root has no width.
-        let near = if self.of.kind == Hidden::Root { R::zero() } else { R::from_f64(NEAR) };
-        for tried in 1..=STEPS {
-            let apart = high - low;
-            let part = if tried % 3 == 0 { half } else { above / (above - below) };
-            let theta = (high - part * apart).where_positive(active, self.end);
-            let value = (self.of.value_at)(theta) - level;
-            let opposite = -(value * above);
-            below = above.where_positive(opposite, below * half);
-            low = high.where_positive(opposite, low);
-            (high, above) = (theta, value);
-            let resolved = R::epsilon() * self.end.abs() - (high - low).abs();
-            if (near - value.abs()).max(resolved).where_positive(active, one).is_positive() {
-                break;
-            }
-        }
-        [low, high]
-    }
-
-    /// Where the argument is largest or smallest near a place, and the width of the function there; `None`
-    /// where that is not narrower than the places are apart. The end and zero in lanes of which this is true.
-    fn vertex(&self, place: usize, unit: R) -> Option<(R, R)> {
-        let (zero, one, half) = (R::zero(), R::one(), R::from_f64(0.5));
-        let [before, (middle, value), after] = [self.at(place - 1), self.at(place), self.at(place + 1)];
-        let (slope, bend) = Self::parabola(before.1, value, after.1);
-        if !any(bend.abs() - (unit + unit)) {
-            return None;
-        }
-        let shift = -(slope / bend);
-        // A parabola does not place its vertex exactly. So the nearest places share one, and one at an end
-        // may seem to lie beyond.
-        let reach = |is_outermost| R::from_f64(if is_outermost { 2.0 } else { 0.75 });
-        let inside = (shift + reach(place == 1)).min(reach(place + 1 == PLACES) - shift);
-        let active = inside.min(one - self.width(value, slope * shift, bend));
-        if !any(active) {
-            return None;
-        }
-        let (mut vertex, mut width, mut step) = (middle + shift * self.apart, zero, half * self.apart);
-        for tried in 0..STEPS {
-            let at = vertex.where_positive(active, self.end);
-            let (centre, left, right) = ((self.of.value_at)(at), at - step, at + step);
-            let (slope, bend) = Self::parabola((self.of.value_at)(left), centre, (self.of.value_at)(right));
-            let shift = (-(slope / bend)).max(-one).min(one);
-            width = self.width(centre, slope * shift, bend) * step;
-            vertex = at + shift * step;
-            let near = R::from_f64(NEAR) * width - (shift * step).abs();
-            // Two parabolas of like length may be wrong alike. A shorter one tells.
-            if tried > 0 && near.where_positive(active, one).is_positive() {
-                break;
-            }
-            step = (step * R::from_f64(0.125)).max(width);
-            // A root that touches zero has no width.
-            if !any(step - R::epsilon() * self.end.abs()) {
-                break;
-            }
-        }
-        Some((vertex.where_positive(active, self.end), width.where_positive(active, zero)))
-    }
-
-    /// Slope and second derivative of a parabola at the second of three places that are one apart.
-    fn parabola(before: R, value: R, after: R) -> (R, R) {
-        (R::from_f64(0.5) * (after - before), (after - value) - (value - before))
-    }
-
-    /// The time in which an argument with this second derivative changes by one, or a power by a factor. The
-    /// parabola falls by half of `change` from the value to its vertex.
-    fn width(&self, value: R, change: R, bend: R) -> R {
-        let unit = self.of.kind.power::<R>().map_or(R::one(), |power| {
-            // Far from the vertex the parabola is no good measure of a small value there.
-            value.abs().min((value + R::from_f64(0.5) * change).abs()) / power
-        });
-        ((unit + unit) / bend.abs()).sqrt()
-    }
-}
-
-/// The cubic polynomial through four values at places that are one apart, a part of the way from the second
-/// to the third.
-fn cubic<R: Real>(values: &[R], part: f64) -> R {
-    let weights = [
-        -part * (part - 1.0) * (part - 2.0) / 6.0,
-        (part + 1.0) * (part - 1.0) * (part - 2.0) / 2.0,
-        -(part + 1.0) * part * (part - 2.0) / 2.0,
-        (part + 1.0) * part * (part - 1.0) / 6.0,
-    ];
-    values.iter().zip(weights).fold(R::zero(), |sum, (&value, weight)| sum + R::from_f64(weight) * value)
+/// The lanes in which an angle turns further between two neighbouring places than these can follow a function
+/// of it.
+pub(super) fn turns_about<R: Real>(angles: &[R]) -> R {
+    let most = angles.windows(2).fold(R::zero(), |most, pair| match *pair {
+        [before, after] => most.max((after - before).part(0).abs()),
+        _ => most,
+    });
+    (most - R::from_f64(RESOLVED)).max(R::zero())
 }
 
 #[cfg(test)]

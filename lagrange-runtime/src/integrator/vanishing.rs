@@ -2,9 +2,10 @@
 //!
 //! The distance of two points that meet is |x|, but its series goes on as x. That of a pole goes on
 //! behind it, too. Both happen where some function of the state vanishes ([`Hidden::Root`]), which a few
-//! places of a step show well enough: steps on which none comes near zero need no further look.
+//! places of a step show well enough: steps on which none comes near zero, and no angle in them turns about
+//! between places, need no further look.
 
-use super::hidden::{Hiding, SMOOTH};
+use super::hidden::{Hiding, SMOOTH, turns_about};
 use crate::number::elements::array;
 use crate::number::real::Real;
 use crate::system::hidden::Hidden;
@@ -53,7 +54,7 @@ fn dips<R: Real>([before, middle, after]: [R; 3]) -> R {
     changes.max(falls).max((half * least + quarter * (most - least) - lowest).min(inside))
 }
 
-/// The lanes of a step of `h` \[s] between two states in which a root comes near zero: positive there.
+/// The lanes of a step of `h` \[s] between two states in which a root comes near zero, or may: positive there.
 pub(crate) fn near_roots<R: Real, const N: usize>(
     hiding: &impl Hiding<R, N>,
     [start, end]: [&State<R, N>; 2],
@@ -66,10 +67,15 @@ pub(crate) fn near_roots<R: Real, const N: usize>(
         _ => between([start, end], h, place as f64 / (PLACES - 1) as f64),
     });
     hiding.along(&states, |kind, values| {
-        if kind != Hidden::Root {
-            return;
-        }
         let values = values.map(|value| value.part(0));
+        match kind {
+            Hidden::Root => {}
+            Hidden::Angle => {
+                near = near.max(turns_about(&values));
+                return;
+            }
+            Hidden::Argument | Hidden::Base(_) => return,
+        }
         for around in values.windows(4) {
             if let &[a, b, c, d] = around {
                 let (most, least) = (a.max(b).max(c).max(d), a.min(b).min(c).min(d));

@@ -13,13 +13,15 @@ pub enum Hidden {
     Base(u32),
     /// A function that others have a kink or a pole at the zeros of.
     Root,
+    /// An angle \[rad] that such functions turn with.
+    Angle,
 }
 
 impl Hidden {
-    /// The power of a base; one for a root, and `None` for an argument.
+    /// The power of a base; one for a root, and `None` for arguments and angles.
     pub(crate) fn power<R: Real>(self) -> Option<R> {
         match self {
-            Self::Argument => None,
+            Self::Argument | Self::Angle => None,
             Self::Base(power) => Some(R::from_f64(f64::from(power))),
             Self::Root => Some(R::one()),
         }
@@ -27,12 +29,12 @@ impl Hidden {
 }
 
 /// Visits functions that can hide. `at` gives what they depend on at a state: arguments, the bases of these
-/// powers, and so many roots.
+/// powers, and so many roots and angles.
 #[inline]
 pub fn hidden<R: Copy, const N: usize, const K: usize, const COUNT: usize, const PLACES: usize>(
     states: &[State<R, N>; PLACES],
     inputs: &[[R; K]; PLACES],
-    (powers, roots): (&[u32], usize),
+    (powers, roots, angles): (&[u32], usize, usize),
     at: impl Fn(R, &[R; N], &[R; N], &[R; K]) -> [R; COUNT],
     mut visit: impl FnMut(Hidden, [R; PLACES]),
 ) {
@@ -41,10 +43,12 @@ pub fn hidden<R: Copy, const N: usize, const K: usize, const COUNT: usize, const
         at(*t, q, v, &inputs[place])
     });
     (0..COUNT).for_each(|index| {
-        let kind = match (index + powers.len() + roots).checked_sub(COUNT).map(|base| powers.get(base)) {
+        let base = (index + powers.len() + roots + angles).checked_sub(COUNT);
+        let kind = match base.map(|base| powers.get(base)) {
             None => Hidden::Argument,
             Some(Some(&power)) => Hidden::Base(power),
-            Some(None) => Hidden::Root,
+            Some(None) if index + angles < COUNT => Hidden::Root,
+            Some(None) => Hidden::Angle,
         };
         visit(kind, array(|place| values[place][index]));
     });

@@ -94,6 +94,23 @@ fn roots_of_squares_are_absolute_values() {
 }
 
 #[test]
+fn angles_do_not_turn_about_unseen() {
+    // The force is constant from kink to kink, so that a series is good for any number of turns.
+    let mut samples = Samples::new(5);
+    for _ in 0..300 {
+        let tolerance = 10_f64.powf(samples.number(-9.0, -5.0));
+        let fold = Fold { pull: samples.number(0.5, 3.0) };
+        let start = State::new([samples.number(0.1, 1.0)], [samples.number(-1.0, 1.0)]);
+        let alone = end(&fold, start, tolerance, 3.0);
+        let mut lane = Batch::new(&fold, start).with_tolerance(tolerance);
+        for found in [alone, *lane.advance_to(3.0).unwrap()] {
+            // The cosine of a small angle has lost half of its digits.
+            close_on(1.0, fold.energy(&found), fold.energy(&start), 1e3 * tolerance + 1e-6);
+        }
+    }
+}
+
+#[test]
 fn roots_that_hardly_vanish_keep_the_energy() {
     let mut samples = Samples::new(3);
     for _ in 0..60 {

@@ -75,3 +75,18 @@ fn squares_in_functions_show_by_their_roots() {
     let negative = graph.neg(cube);
     assert_eq!(argument_of(&mut graph, negative), cube);
 }
+
+#[test]
+fn angles_in_roots_are_known() {
+    let mut graph = Graph::default();
+    let [x, y] = [0, 1].map(|i| graph.variable(Variable::Coordinate(i)));
+    let speed = graph.variable(Variable::Parameter(0));
+    let turned = graph.mul(x, speed);
+    let [sine, other] = [turned, y].map(|angle| graph.unary(Unary::Sin, angle));
+    let [square, plain] = [graph.powi(sine, 2), graph.powi(y, 2)];
+    let inside = graph.add(square, plain);
+    let root = graph.sqrt(inside);
+    let force = graph.add(root, other);
+    assert_eq!(hidden(&mut graph, &[force], &[], &[]).unwrap().angles, [turned]);
+    assert_eq!(hidden(&mut graph, &[other], &[], &[]), None);
+}
