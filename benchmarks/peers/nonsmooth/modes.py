@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from cases import Case, case
+from cases import case
 from problem import Failure, Integrator, Problem, Subject, Vector
 
 # Fewer steps than any run should need.
@@ -15,41 +15,48 @@ STEPS = 1_000_000
 
 
 class Heyoka(Integrator):
-    """One terminal event that ends the mode; its callback changes the state and the parameter of the mode."""
+    """One terminal event that ends the mode; its callback changes the state and the parameter of the mode.
 
-    def __init__(self, problem: Problem, case: Case, tolerance: float) -> None:
+    What the case takes from its start is a second parameter, so that one integrator serves all starts.
+    """
+
+    def __init__(self, problem: Problem, tolerance: float) -> None:
         import heyoka as hy
 
-        self.problem, self.case = problem, case
+        self.problem = problem
+        mode = case(problem.name, problem.start).mode
+        form = case(problem.name, [hy.par[1], hy.par[1]])
         x, v = hy.make_vars("x", "v")
         p = hy.par[0]
 
         def fired(integrator: Any, _: int) -> bool:
-            mode = integrator.pars[0] if self.modes else case.mode
-            state, mode = case.after(list(integrator.state), mode)
+            now = integrator.pars[0] if self.count > 0 else mode
+            state, now = self.case.after(list(integrator.state), now)
             integrator.state[:] = state
-            if self.modes:
-                integrator.pars[0] = mode
+            if self.count > 0:
+                integrator.pars[0] = now
             return True
 
-        guard = hy.expression(0.0) + case.guard(x, v, p)
+        guard = hy.expression(0.0) + form.guard(x, v, p)
         event = hy.t_event(guard, callback=fired, direction=hy.event_direction.negative)
         # A mode in which nothing moves: every slope is multiplied by the mode where there is one.
-        moves = p * p if case.mode < 0.0 else hy.expression(1.0)
-        slope = [(x, moves * v), (v, case.slope(hy, x, v, p))]
+        moves = p * p if mode < 0.0 else hy.expression(1.0)
+        slope = [(x, moves * v), (v, form.slope(hy, x, v, p))]
         # Parameters that no equation names are refused.
-        named = hy.get_params([slope[0][1], slope[1][1], guard])
-        self.modes = [case.mode] if named else []
+        self.count = len(hy.get_params([slope[0][1], slope[1][1], guard]))
         self.integrator = hy.taylor_adaptive(
-            slope, list(problem.start), pars=self.modes, tol=tolerance, t_events=[event]
+            slope, list(problem.start), pars=[mode, 0.0][: self.count], tol=tolerance, t_events=[event]
         )
-        self.outcome = hy.taylor_outcome.time_limit
+        self.mode, self.outcome = mode, hy.taylor_outcome.time_limit
         self.taken = 0
+        self.reset()
 
     def reset(self) -> None:
+        start = self.problem.start
+        self.case = case(self.problem.name, start)
         self.integrator.time = 0.0
-        self.integrator.state[:] = self.problem.start
-        self.integrator.pars[:] = self.modes
+        self.integrator.state[:] = start
+        self.integrator.pars[:] = [self.mode, start[1]][: self.count]
         self.integrator.reset_cooldowns()
 
     def run(self) -> None:
@@ -68,8 +75,8 @@ class Heyoka(Integrator):
 class Scipy(Integrator):
     """`solve_ivp` from event to event, by DOP853."""
 
-    def __init__(self, problem: Problem, case: Case, tolerance: float) -> None:
-        self.problem, self.case = problem, case
+    def __init__(self, problem: Problem, tolerance: float) -> None:
+        self.problem = problem
         # It refuses smaller ones.
         self.tolerance = max(tolerance, 2.3e-14)
         self.end = np.array(problem.start)
@@ -81,13 +88,13 @@ class Scipy(Integrator):
     def run(self) -> None:
         from scipy.integrate import solve_ivp
 
-        case, end = self.case, self.problem.t_end
-        t, state, p = 0.0, list(self.problem.start), case.mode
-        while t < end and not (case.mode < 0.0 and p == 0.0):
-            guard = lambda _, s, p=p: case.guard(s[0], s[1], p)
+        end, modes = self.problem.t_end, case(self.problem.name, self.problem.start)
+        t, state, p = 0.0, list(self.problem.start), modes.mode
+        while t < end and not (modes.mode < 0.0 and p == 0.0):
+            guard = lambda _, s, p=p: modes.guard(s[0], s[1], p)
             guard.terminal, guard.direction = True, -1.0
             found = solve_ivp(
-                lambda _, s, p=p: [s[1], case.slope(math, s[0], s[1], p)],
+                lambda _, s, p=p: [s[1], modes.slope(math, s[0], s[1], p)],
                 (t, end),
                 state,
                 method="DOP853",
@@ -100,7 +107,7 @@ class Scipy(Integrator):
                 raise Failure("does not end")
             t, state = found.t[-1], list(found.y[:, -1])
             if found.status == 1:
-                state, p = case.after(state, p)
+                state, p = modes.after(state, p)
         self.end = np.array(state)
 
     def ends(self) -> list[Vector]:
@@ -120,7 +127,7 @@ class Modes(Subject):
         return [name for name, problem in names.items() if case(name, problem.start)]
 
     def build(self, problem: Problem, tolerance: float) -> Integrator:
-        return self.kind(problem, case(problem.name, problem.start), tolerance)
+        return self.kind(problem, tolerance)
 
 
 def offers() -> tuple[list[Subject], dict[str, str]]:

@@ -38,9 +38,9 @@ const FURTHER: f64 = 1.0 / 16.0;
 /// The most halvings of a step on which a guard's series does not converge.
 const HALVINGS: i32 = 40;
 
-/// The part of a guard's terms by which its series may miss it on a step of a length that the caller chose.
-/// The error of such a step is that of its order. The series tells where the guard falls, and the guard
-/// itself where it is zero.
+/// The part of a guard by which its series may miss it on a step of a length that the caller chose. The error
+/// of such a step is that of its order. The series tells where the guard falls, and the guard itself where it
+/// is zero.
 const FOLLOWED: f64 = 1.0 / 16.0;
 
 /// The length of a part of a step that is too short to matter, as a multiple of the shortest part on which
@@ -186,7 +186,7 @@ where
                 let curve = whole.take().or_else(|| self.curve(guard, direction, course, &ends.start));
                 let Some(curve) = curve else { continue };
                 let way = Way { guard, curve, end, before: self.before(guard, &curve, fired) };
-                if let Some((fall, how)) = self.fall(&way, course, ends, &borne, attempts)?
+                if let Some((fall, how)) = self.fall(&way, course, &borne, attempts)?
                     && found.first.as_ref().is_none_or(|(other, _)| fall.place < other.place)
                 {
                     (found.first, found.how) = (Some((fall, guard)), how);
@@ -212,7 +212,6 @@ where
         &self,
         Way { guard, curve, end: last, before }: &Way<S::Scalar, N>,
         course: &Course<'_, S::Scalar, N>,
-        ends: &Ends<S::Scalar, C, W>,
         borne: &Borne<S::Scalar, N, C>,
         attempts: &mut u64,
     ) -> Result<Option<Ending<S::Scalar>>, Cause> {
@@ -257,8 +256,7 @@ where
             width = smaller(width + width, until - from);
         }
         // Below zero at the end it has fallen, whatever its truncated polynomial says.
-        let is_end = until == num_traits::One::one() && !self.is_of_reactions(*guard);
-        let has_fallen = is_end && ends.end.get(*guard).part(0) < -last.value.error;
+        let has_fallen = !self.is_of_reactions(*guard) && last.value.value < -last.value.error;
         let touched = touched.map(|place| (place, How::Touches));
         let fallen = touched.or(has_fallen.then_some((until, How::Falls)));
         Ok(fallen.map(|(place, how)| (Fall { place, fallen: place }, how)))
@@ -277,11 +275,6 @@ where
         loop {
             let end = self.at_end(guard, course, until, borne);
             let curve = whole.on(num_traits::Zero::zero(), until);
-            let lacks = (curve.end() - end.value.value).abs();
-            // The straight lines of order one follow no gap.
-            let follows = course.is_paced && course.order() > 1;
-            let allowed = if follows { S::Scalar::from_f64(FOLLOWED) } else { course.allowed() };
-            let bound = allowed * curve.extent() + end.value.error;
             // A reaction has no value but that of its series, which converges as the motion does. At rest
             // there is no motion to make the step short enough for it, and the limit of a friction has a
             // series that the motion does not see.
@@ -300,8 +293,7 @@ where
                 until *= S::Scalar::from_f64(NEARER) * reach;
                 continue;
             }
-            // Without a bound, as beside a pole, nothing agrees.
-            if lacks <= bound && bound.is_finite() {
+            if self.is_followed(guard, &curve, course, &end, borne) {
                 return Known::Series(end);
             }
             if until < shortest {
@@ -315,6 +307,31 @@ where
             let reach = reach(&curve, course.order(), course.left);
             until *= if reach < num_traits::One::one() { larger(reach * nearer, further) } else { further };
         }
+    }
+
+    /// Whether the series of a guard tells where it falls up to the end of a part of the step. Without a
+    /// bound, as beside a pole, it does not.
+    fn is_followed(
+        &self,
+        guard: Guard,
+        curve: &Taylor<S::Scalar>,
+        course: &Course<'_, S::Scalar, N>,
+        end: &End<S::Scalar, N>,
+        borne: &Borne<S::Scalar, N, C>,
+    ) -> bool {
+        let lacks = (curve.end() - end.value.value).abs();
+        // The straight lines of order one follow no gap.
+        if !course.is_paced || course.order() == 1 {
+            let bound = course.allowed() * curve.extent() + end.value.error;
+            return lacks <= bound && bound.is_finite();
+        }
+        // The terms of a series that does not converge are larger than the guard anywhere.
+        let half = S::Scalar::from_f64(0.5);
+        let middle = self.at_end(guard, course, half * end.part, borne).value;
+        let most = larger(larger(curve.start().abs(), end.value.value.abs()), middle.value.abs());
+        let bound = S::Scalar::from_f64(FOLLOWED) * smaller(curve.extent(), most);
+        let lacks_inside = (curve.at(half) - middle.value).abs();
+        bound.is_finite() && lacks <= bound + end.value.error && lacks_inside <= bound + middle.error
     }
 
     /// Whether the limit of a friction that sticks is that of its series at the end of a part of the step.

@@ -52,6 +52,7 @@ mod refused;
 mod relief;
 mod rocking;
 mod rolls;
+mod rooms;
 mod seams;
 mod sides;
 mod slider_crank;
