@@ -164,10 +164,7 @@ where
     fn closes(&self, row: usize, scales: &Scales<S::Scalar, C>, known: &Known<C>, play: S::Scalar) -> bool {
         let rows = &self.laws.rows;
         let gap = most(scales.gaps[row], rows.position_sizes[row]);
-        // A gap without a gradient, as that to a round wall in its centre, has no rate either.
-        let moved = Some(self.by_time(row) + play).filter(|moved| moved.is_finite());
-        let unknown = rounding::<S::Scalar>() * gap + moved.unwrap_or_else(num_traits::Zero::zero);
-        let is_zero = !above(rows.positions[row], unknown);
+        let is_zero = !above(rows.positions[row], rounding::<S::Scalar>() * gap + self.by_time(row) + play);
         S::ROWS[row] == Row::Unilateral
             && (known.fired == Some(row) || known.closed[row] || is_zero && !known.only)
     }

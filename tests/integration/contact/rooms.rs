@@ -49,8 +49,9 @@ impl Chords {
         let [wall, chord] = self.chord;
         let next = wall + chord * self.length;
         let turn = wall.perp(&next).atan2(wall.dot(&next)) * number;
-        let turned =
-            |a: Vector2<f64>| Vector2::new(turn.cos() * a.x - turn.sin() * a.y, turn.sin() * a.x + turn.cos() * a.y);
+        let turned = |a: Vector2<f64>| {
+            Vector2::new(turn.cos() * a.x - turn.sin() * a.y, turn.sin() * a.x + turn.cos() * a.y)
+        };
         (turned(wall) + turned(chord) * (t - self.first - number * self.length)).into()
     }
 }
@@ -60,12 +61,13 @@ fn stepped<const ORDER: usize>(chords: &[f64]) {
     for &part in chords {
         let mut samples = Samples::new(ORDER as u64);
         for _ in 0..100 {
-            let (far, [at, towards]) = (samples.number(0.05, 0.9), [(); 2].map(|()| samples.number(-3.1, 3.1)));
+            let (far, [at, towards]) =
+                (samples.number(0.05, 0.9), [(); 2].map(|()| samples.number(-3.1, 3.1)));
             let unit = |angle: f64| Vector2::new(angle.cos(), angle.sin());
             let [place, direction] = [unit(at) * far, unit(towards)];
             let exact = Chords::new(place, direction);
             let h = part * exact.length;
-            let mut motion = Room.stepper::<Jet<ORDER>>(State::new(place.into(), direction.into()));
+            let mut motion = Room.stepper::<Jet<ORDER>>(State::new(place, direction));
             for step in 1..=100 {
                 let found = motion.step(h, &[]).unwrap().q;
                 all_close_on_largest(found, exact.at(f64::from(step) * h), 1e-9);
