@@ -289,8 +289,9 @@ where
     where
         S::Scalar: Ordered,
     {
-        memory.prepare(limits);
         while !memory.covers(t) {
+            // A step that covers the time keeps the order that it was made with.
+            memory.prepare(limits);
             if !memory.ahead(t) {
                 (memory.end, memory.end_residue) = (memory.start, memory.residue);
             }
