@@ -133,8 +133,10 @@ fn found(
                 found.base(graph, square, 1);
             }
             Node::Product(factors) => {
+                let is_flat = order_of_zero(graph, &factors) >= FLATTEST;
                 for (base, power) in factors {
-                    if is_steep_somewhere(graph, base, power, switches) {
+                    let is_steep = is_flat && flatness(graph, base, power) > 0;
+                    if is_steep || is_steep_somewhere(graph, base, power, switches) {
                         found.base(graph, base, power.0.unsigned_abs().div_ceil(2));
                         // A base that is smallest somewhere may also pass zero.
                         if power.0 < 0 && has_either_sign(graph, base) {
@@ -288,6 +290,30 @@ fn is_steep_somewhere(graph: &mut Graph, base: NodeId, exponent: Exponent, switc
     is_steep_power(graph, base, exponent)
         && forms(graph, base, switches, &|_, _| [true; 2])
             .is_none_or(|forms| forms.into_iter().any(|form| is_steep_power(graph, form, exponent)))
+}
+
+/// How many derivatives of a product, counted in halves, vanish where all its factors do that are powers
+/// above the second. Others are the products of sines and cosines of mechanisms, which are not zero together.
+fn order_of_zero(graph: &Graph, factors: &[(NodeId, Exponent)]) -> i32 {
+    factors.iter().map(|&(base, power)| flatness(graph, base, power)).sum()
+}
+
+/// The same of one factor. A sum of other than variables, such as 1 − cos x or x² + y², may have a double
+/// zero.
+fn flatness(graph: &Graph, base: NodeId, power: Exponent) -> i32 {
+    if power.0 <= 4 || power.as_integer().is_none() || graph.dependence(base).is_fixed() {
+        return 0;
+    }
+    let is_variable = |node: NodeId| matches!(graph.node(node), Node::Variable(_));
+    let is_curved = |&(term, _): &(NodeId, Number)| {
+        let mut moving = graph.factors(term);
+        moving.retain(|&(factor, _)| !graph.dependence(factor).is_fixed());
+        moving.iter().any(|&(factor, power)| power.0 != 2 || !is_variable(factor)) || moving.len() > 1
+    };
+    match graph.node(base) {
+        Node::Sum { terms, .. } if terms.iter().any(is_curved) => 2 * power.0,
+        _ => power.0,
+    }
 }
 
 fn hides(function: Unary) -> bool {

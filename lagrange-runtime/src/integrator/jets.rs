@@ -53,10 +53,10 @@ const ORDERS_PER_DIGIT: f64 = 0.8;
 /// cost more.
 const ORDERS_AT_ROUNDING: f64 = 0.43;
 
-/// The same just above the accuracy of rounding, and the ulps of the tolerance from which on truncation errors
-/// are so much larger than those of rounding that steps may be long. In between orders grow with the logarithm
-/// of the tolerance. At nine ulps this takes 1.1 to 2 times as long as many orders do, and leaves 0.2 to 0.9 of
-/// their error.
+/// The same just above the accuracy of rounding, and the ulps of the tolerance from which on truncation
+/// errors are so much larger than those of rounding that steps may be long. In between orders grow with the
+/// logarithm of the tolerance. At nine ulps this takes 1.1 to 2 times as long as many orders do, and leaves
+/// 0.2 to 0.9 of their error.
 const ORDERS_NEAR_ROUNDING: f64 = 0.5;
 const FAR_FROM_ROUNDING: f64 = 64.0;
 

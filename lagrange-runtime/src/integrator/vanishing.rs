@@ -54,7 +54,8 @@ fn dips<R: Real>([before, middle, after]: [R; 3]) -> R {
     changes.max(falls).max((half * least + quarter * (most - least) - lowest).min(inside))
 }
 
-/// The lanes of a step of `h` \[s] between two states in which a root comes near zero, or may: positive there.
+/// The lanes of a step of `h` \[s] between two states in which a root comes near zero, or may: positive
+/// there.
 pub(crate) fn near_roots<R: Real, const N: usize>(
     hiding: &impl Hiding<R, N>,
     [start, end]: [&State<R, N>; 2],

@@ -133,6 +133,28 @@ fn high_powers_are_seen_from_where_they_are_nothing() {
     });
 }
 
+line!(
+    Versines { height },
+    |self, q, _v, _t| self.height * (1.0 - q.x.cos()).powi(5) * (1.0 - (2.0 * q.x).cos()).powi(5),
+    0.0
+);
+
+#[test]
+fn products_of_powers_are_seen_from_where_they_are_nothing() {
+    let mut samples = Samples::new(5);
+    for _ in 0..200 {
+        let tolerance = 10_f64.powf(samples.number(-13.0, -5.0));
+        let flat = Versines { height: samples.number(-0.1, 0.1) };
+        let place = 10_f64.powf(samples.number(-9.0, -0.3));
+        let start = State::new([place], [samples.number(0.5, 2.0)]);
+        let alone = *flat.simulate(start).with_tolerance(tolerance).advance_to(6.0).unwrap();
+        let mut lane = Batch::new(&flat, start).with_tolerance(tolerance);
+        for found in [alone, *lane.advance_to(6.0).unwrap()] {
+            close(flat.energy(&found), flat.energy(&start), 1e4 * tolerance + 1e-12);
+        }
+    }
+}
+
 /// A bead on a ring with a bump on each side, in Cartesian coordinates.
 struct Ring {
     width: f64,

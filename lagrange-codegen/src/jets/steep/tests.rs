@@ -50,6 +50,43 @@ fn walls_and_smoothed_kinks_hide() {
 }
 
 #[test]
+fn products_are_as_flat_as_their_factors_together() {
+    let mut graph = Graph::default();
+    let [x, y] = [0, 1].map(|i| graph.variable(Variable::Coordinate(i)));
+    let width = graph.variable(Variable::Parameter(0));
+    let scaled = graph.mul(width, y);
+    let apart = graph.sum(Number::ZERO, &[(x, Number::ONE), (scaled, Number::MINUS_ONE)]);
+    let versine = |graph: &mut Graph, angle: NodeId| {
+        let cosine = graph.unary(Unary::Cos, angle);
+        graph.sum(Number::ONE, &[(cosine, Number::MINUS_ONE)])
+    };
+    let [of_x, of_y] = [x, y].map(|angle| versine(&mut graph, angle));
+    let [sine, cosine] = [Unary::Sin, Unary::Cos].map(|function| graph.unary(function, x));
+    let [xx, yy] = [x, y].map(|node| graph.powi(node, 2));
+    let square = graph.add(xx, yy);
+    for (factors, is_steep) in [
+        (vec![(of_x, 3), (sine, 1)], false),
+        (vec![(of_x, 4)], true),
+        (vec![(of_x, 3), (of_y, 3)], true),
+        (vec![(apart, 7)], false),
+        (vec![(apart, 7), (x, 3)], true),
+        (vec![(square, 3), (x, 1), (y, 1)], false),
+        (vec![(square, 4)], true),
+        (vec![(square, 3), (apart, 3)], true),
+        (vec![(sine, 2), (cosine, 2), (xx, 1), (yy, 1)], false),
+        (vec![(width, 9), (of_x, 2)], false),
+    ] {
+        let product = factors.iter().fold(graph.one(), |product, &(base, power)| {
+            let power = graph.powi(base, power);
+            graph.mul(product, power)
+        });
+        let found = hidden(&mut graph, &[product], &[], &[]);
+        let found = found.is_some_and(|hidden| hidden.is_steep && !hidden.bases.is_empty());
+        assert_eq!(found, is_steep, "{}", graph.print(product, &|v| format!("{v:?}")));
+    }
+}
+
+#[test]
 fn divisors_hide_where_they_are_smallest() {
     let mut graph = Graph::default();
     let [x, y] = [0, 1].map(|i| graph.variable(Variable::Velocity(i)));
