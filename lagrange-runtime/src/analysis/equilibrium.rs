@@ -13,6 +13,7 @@ mod confirmed;
 mod curvature;
 mod descent;
 mod hills;
+mod narrow;
 mod newton;
 mod resolution;
 mod resting;

@@ -3,6 +3,7 @@
 mod classical;
 mod constrained;
 mod derivatives;
+mod detents;
 mod downhill;
 mod equilibria;
 mod far;

@@ -172,7 +172,8 @@ where
             coarse += number(0.5 * rough) * power;
         }
         // Where constraints bend the way, this line tells nothing of the hills on it.
-        let crosses_a_hill = C == 0 && may_rise(&powers);
+        let is_narrow = || (S::STEEP || S::ROOTED) && self.meets_a_narrow_hill(&rest.q, way, &powers, power);
+        let crosses_a_hill = C == 0 && (may_rise(&powers) || is_narrow());
         Fall { by, doubt: (by - coarse).abs(), crosses_a_hill }
     }
 

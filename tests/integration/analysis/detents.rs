@@ -1,0 +1,68 @@
+//! Equilibria in detents that are narrow beside the steps of the search.
+
+use lagrangian::prelude::*;
+
+use crate::support::sample::Samples;
+
+/// A pendulum with teeth: narrow wells of one depth.
+struct Teeth {
+    depth: f64,
+    count: f64,
+    sharpness: f64,
+}
+
+#[lagrangian(coordinates = [x], jacobians)]
+impl Teeth {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * v.x * v.x
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        -q.x.cos()
+    }
+
+    #[potential]
+    fn wells(&self, q: &Coordinates) -> f64 {
+        -self.depth * (self.sharpness * ((self.count * q.x).cos() - 1.0)).exp()
+    }
+}
+
+impl Teeth {
+    fn force(&self, x: f64) -> f64 {
+        let well = (self.sharpness * ((self.count * x).cos() - 1.0)).exp();
+        -x.sin() - self.depth * self.count * self.sharpness * (self.count * x).sin() * well
+    }
+
+    /// Where the force changes its sign downhill of a place, in steps of this length.
+    fn rests(&self, mut x: f64, step: f64) -> f64 {
+        let side = self.force(x).signum();
+        while self.force(x) * side > 0.0 {
+            x += side * step;
+        }
+        x
+    }
+}
+
+#[test]
+fn the_first_well_downhill_is_found() {
+    let mut samples = Samples::new(1);
+    for _ in 0..300 {
+        let count = samples.number(3.0, 48.0).round();
+        let teeth = Teeth {
+            count,
+            sharpness: 10_f64.powf(samples.number(1.5, 3.0)),
+            // Twice as deep as a well that just holds the pendulum, or more.
+            depth: 0.0,
+        };
+        // The steepest slope of exp(−s x²/2) is √(s/e).
+        let least = (std::f64::consts::E / teeth.sharpness).sqrt() / count;
+        let teeth = Teeth { depth: least * 10_f64.powf(samples.number(0.3, 2.0)), ..teeth };
+        let guess = samples.number(-3.0, 3.0);
+        let step = 0.01 / (count * teeth.sharpness.sqrt());
+        let expected = teeth.rests(guess, step);
+        let found = teeth.equilibrium([guess], &[]).unwrap().state.q[0];
+        assert!((found - expected).abs() <= 2.0 * step, "{guess}: {found} instead of {expected}");
+    }
+}
