@@ -157,7 +157,8 @@ impl<H, R: Real, P> Passage<'_, H, R, P> {
             };
             let argument = Argument { kind, value_at: &value_at };
             let values = values.map(|value| value.part(0));
-            argument.places(values, self.theta, &mut |theta| faults = faults.max(look(theta)));
+            // Where a base is zero, the derivatives of a root in its width are no numbers.
+            argument.places(values, self.theta, &mut |theta| faults = faults.max(look(theta.part(0))));
             index += 1;
         });
         faults

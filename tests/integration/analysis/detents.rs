@@ -66,3 +66,39 @@ fn the_first_well_downhill_is_found() {
         assert!((found - expected).abs() <= 2.0 * step, "{guess}: {found} instead of {expected}");
     }
 }
+
+/// A rotor with a torque that vanishes to a high order at half a turn.
+struct Rotor {
+    torque: f64,
+}
+
+#[lagrangian(coordinates = [x], jacobians)]
+impl Rotor {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * v.x * v.x
+    }
+
+    #[force(on = x)]
+    fn push(&self, q: &Coordinates) -> f64 {
+        self.torque * (0.5 + 0.5 * q.x.cos()).powi(8)
+    }
+}
+
+#[test]
+fn derivatives_pass_the_zero_of_a_high_power() {
+    let mut samples = Samples::new(2);
+    for _ in 0..40 {
+        let rotor = Rotor { torque: samples.number(-0.1, 0.1) };
+        let (x, v) = (samples.number(-1.0, 1.0), samples.number(0.8, 2.0));
+        let end = |v: f64| {
+            let start = State::new([x], [v]);
+            rotor.simulate(start).with_tolerance(1e-13).advance_to(8.0).unwrap().q[0]
+        };
+        let expected = (end(v + 1e-4) - end(v - 1e-4)) / 2e-4;
+        let variational = rotor.variational();
+        let mut motion = variational.motion(State::new([x], [v])).unwrap().with_tolerance(1e-11);
+        let found = motion.advance_to(8.0).unwrap().q_by_v[0];
+        assert!((found - expected).abs() <= 1e-5 * expected.abs().max(1.0), "{found} {expected}");
+    }
+}
