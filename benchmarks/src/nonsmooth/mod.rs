@@ -21,8 +21,8 @@ use systems as s;
 /// The cases in the order of the page.
 const CASES: [&str; 9] = ["ball", "wall", "coulomb", "belt", "block", "hoop", "slope", "bilinear", "valley"];
 
-/// The tolerances of every other subject, relative and absolute alike: one more than those of `precision`, since
-/// the best errors lie beside the last one.
+/// The tolerances of every other subject, relative and absolute alike: one more than those of `precision`,
+/// since the best errors lie beside the last one.
 const TOLERANCES: [f64; 13] =
     [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 2e-15, 1e-15];
 

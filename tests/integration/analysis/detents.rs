@@ -1,4 +1,5 @@
-//! Equilibria in detents that are narrow beside the steps of the search.
+//! Functions that are narrow or flat beside a step: equilibria in detents, derivatives at the zero of a high
+//! power.
 
 use lagrangian::prelude::*;
 
@@ -50,17 +51,13 @@ fn the_first_well_downhill_is_found() {
     let mut samples = Samples::new(1);
     for _ in 0..300 {
         let count = samples.number(3.0, 48.0).round();
-        let teeth = Teeth {
-            count,
-            sharpness: 10_f64.powf(samples.number(1.5, 3.0)),
-            // Twice as deep as a well that just holds the pendulum, or more.
-            depth: 0.0,
-        };
-        // The steepest slope of exp(−s x²/2) is √(s/e).
-        let least = (std::f64::consts::E / teeth.sharpness).sqrt() / count;
-        let teeth = Teeth { depth: least * 10_f64.powf(samples.number(0.3, 2.0)), ..teeth };
+        let sharpness = 10_f64.powf(samples.number(1.5, 3.0));
+        // The steepest slope of exp(−s x²/2) is √(s/e), so a well of this depth just holds the pendulum.
+        let least = (std::f64::consts::E / sharpness).sqrt() / count;
+        let depth = least * 10_f64.powf(samples.number(0.3, 2.0));
+        let teeth = Teeth { depth, count, sharpness };
         let guess = samples.number(-3.0, 3.0);
-        let step = 0.01 / (count * teeth.sharpness.sqrt());
+        let step = 0.01 / (count * sharpness.sqrt());
         let expected = teeth.rests(guess, step);
         let found = teeth.equilibrium([guess], &[]).unwrap().state.q[0];
         assert!((found - expected).abs() <= 2.0 * step, "{guess}: {found} instead of {expected}");

@@ -21,7 +21,8 @@ impl Room {
     }
 }
 
-/// The way of a ball of speed one: a flight to the wall, and chords, each the one before turned about the centre.
+/// The way of a ball of speed one: a flight to the wall, and chords, each the one before turned about the
+/// centre.
 struct Chords {
     start: [Vector2<f64>; 2],
     first: f64,

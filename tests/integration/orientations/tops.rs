@@ -109,7 +109,7 @@ fn a_free_body_tumbles_about_its_unstable_axis_as_elliptic_functions_do() {
         let expected = exact.orientation(t).to_rotation_matrix();
         all_close_on_largest(found.to_rotation_matrix().matrix(), expected.matrix(), 1e-12);
     }
-    // Some 127 steps: as many as so smooth a motion needs, in coordinates that turn as smoothly.
+    // It takes 127 steps. More would mean that the quaternion is not as smooth as the motion.
     between(30.0, motion.steps().accepted as f64, 160.0);
 }
 
