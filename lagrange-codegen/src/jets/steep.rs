@@ -301,7 +301,7 @@ fn order_of_zero(graph: &Graph, factors: &[(NodeId, Exponent)]) -> i32 {
 /// The same of one factor. A sum of other than variables, such as 1 − cos x or x² + y², may have a double
 /// zero.
 fn flatness(graph: &Graph, base: NodeId, power: Exponent) -> i32 {
-    if power.0 <= 4 || power.as_integer().is_none() || graph.dependence(base).is_fixed() {
+    if power.0 <= 4 || graph.dependence(base).is_fixed() {
         return 0;
     }
     let is_variable = |node: NodeId| matches!(graph.node(node), Node::Variable(_));
@@ -345,8 +345,8 @@ fn hides(function: Unary) -> bool {
     }
 }
 
-/// Whether a power is [`STEEPEST`] or below or [`FLATTEST`] or above, or is a root or reciprocal of a sum
-/// with a fixed part, which is how kinks are smoothed.
+/// Whether a power is [`STEEPEST`] or below, or is a root or reciprocal of a sum with a fixed part, which is
+/// how kinks are smoothed.
 fn is_steep_power(graph: &Graph, base: NodeId, exponent: Exponent) -> bool {
     if graph.dependence(base).is_fixed() {
         return false;
@@ -359,7 +359,7 @@ fn is_steep_power(graph: &Graph, base: NodeId, exponent: Exponent) -> bool {
     };
     let is_root = exponent.as_integer().is_none();
     let is_kink = if is_root { !is_difference(graph, base) } else { exponent.0 < 0 };
-    exponent.0 <= STEEPEST || exponent.0 >= FLATTEST || is_kink && smooths(graph.node(base))
+    exponent.0 <= STEEPEST || is_kink && smooths(graph.node(base))
 }
 
 /// Whether the base is L² − y², the square of a side of a triangle. Its root is as large as anything else

@@ -29,6 +29,8 @@ fn walls_and_smoothed_kinks_hide() {
         (graph.powi(x, 8), true, false),
         (graph.powi(sine, 40), true, false),
         (graph.powi(distance, -12), true, false),
+        (graph.powi(distance, 7), false, true),
+        (graph.powi(distance, 9), true, false),
         (graph.sqrt(smoothed), true, false),
         (graph.sqrt(side), false, true),
         (graph.powi(side, -1), true, true),
