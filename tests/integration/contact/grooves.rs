@@ -122,36 +122,56 @@ fn a_ball_rolls_in_a_groove_until_the_last_possible_shares_are_gone() {
     }
 }
 
-/// 300 balls with three different moments of inertia wobble in the groove, slip, stick, and leave the wall.
+/// A ball with three different moments of inertia that wobbles in the groove. It rolls along the groove, or
+/// slips on both.
+fn wobbling(number: usize, sample: &mut Samples) -> (Groove, State<f64, 6>) {
+    let mut groove = Groove::new(
+        [sample.number(0.05, 0.6), sample.number(0.05, 0.6)],
+        [sample.number(0.2, 4.0), sample.number(-0.1, 3.0)],
+    );
+    groove.inertia = [1.0, sample.number(0.7, 1.3), sample.number(0.7, 1.3)];
+    let mut start = groove.start();
+    start.q[3..].copy_from_slice(&[0.3, 0.2, -0.4].map(|a: f64| a * sample.number(-1.0, 1.0)));
+    let spin = sample.number(-8.0, 8.0);
+    start.v[1] = -spin * groove.radius + if number % 2 == 0 { 0.0 } else { sample.number(-0.5, 0.5) };
+    let [sb, cb] = [start.q[4].sin(), start.q[4].cos()];
+    let [sa, ca] = [start.q[3].sin(), start.q[3].cos()];
+    // Rates of the angles for the angular velocity (spin, 0, spin).
+    let rolls = spin * ca / cb;
+    (start.v[3], start.v[4], start.v[5]) = (spin + rolls * sb, -spin * sa, rolls);
+    (groove, start)
+}
+
+/// Follows one at two tolerances.
+fn wobble(number: usize, groove: &Groove, start: State<f64, 6>, tolerances: [f64; 2]) {
+    let ends = tolerances.map(|tolerance| {
+        let mut motion = groove.simulate(start).with_tolerance(tolerance);
+        *motion.advance_to(0.35).unwrap_or_else(|error| panic!("{number}: {error}"))
+    });
+    for (own, other) in ends[0].q.iter().zip(&ends[1].q) {
+        assert!((own - other).abs() < 1e-5, "{number}: {own} and {other}");
+    }
+    assert!(ends[1].q[2] - groove.radius > -TIGHT && -ends[1].q[0] - groove.radius > -TIGHT, "{number}");
+}
+
+/// 300 of them wobble in the groove, slip, stick, and leave the wall.
 #[test]
 #[ignore = "slow: 300 motions"]
 fn balls_that_wobble_in_a_groove_go_on() {
     let mut sample = Samples::new(31);
     for number in 0..300 {
-        let mut groove = Groove::new(
-            [sample.number(0.05, 0.6), sample.number(0.05, 0.6)],
-            [sample.number(0.2, 4.0), sample.number(-0.1, 3.0)],
-        );
-        groove.inertia = [1.0, sample.number(0.7, 1.3), sample.number(0.7, 1.3)];
-        let mut start = groove.start();
-        start.q[3..].copy_from_slice(&[0.3, 0.2, -0.4].map(|a: f64| a * sample.number(-1.0, 1.0)));
-        // It rolls along the groove, or slips on both.
-        let spin = sample.number(-8.0, 8.0);
-        start.v[1] = -spin * groove.radius + if number % 2 == 0 { 0.0 } else { sample.number(-0.5, 0.5) };
-        let [sb, cb] = [start.q[4].sin(), start.q[4].cos()];
-        let [sa, ca] = [start.q[3].sin(), start.q[3].cos()];
-        // Rates of the angles for the angular velocity (spin, 0, spin).
-        let rolls = spin * ca / cb;
-        (start.v[3], start.v[4], start.v[5]) = (spin + rolls * sb, -spin * sa, rolls);
-        let ends = [1e-8, 1e-11].map(|tolerance| {
-            let mut motion = groove.simulate(start).with_tolerance(tolerance);
-            *motion.advance_to(0.35).unwrap_or_else(|error| panic!("{number}: {error}"))
-        });
-        for (own, other) in ends[0].q.iter().zip(&ends[1].q) {
-            assert!((own - other).abs() < 1e-5, "{number}: {own} and {other}");
-        }
-        assert!(ends[1].q[2] - groove.radius > -TIGHT && -ends[1].q[0] - groove.radius > -TIGHT, "{number}");
+        let (groove, start) = wobbling(number, &mut sample);
+        wobble(number, &groove, start, [1e-8, 1e-11]);
     }
+}
+
+/// Of this one a motion that had run away 28 s ahead looked like a slip that a growing load begins: in the
+/// rounding errors of its forces all others vanished.
+#[test]
+fn a_ball_that_begins_to_slip_does_not_run_away() {
+    let mut sample = Samples::new(31);
+    let (groove, start) = (0..70).map(|number| wobbling(number, &mut sample)).last().unwrap();
+    wobble(69, &groove, start, [1e-8, 1e-9]);
 }
 
 /// A grain in a straight groove with frictions of two coefficients, which a growing force pushes along.

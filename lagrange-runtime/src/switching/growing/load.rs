@@ -30,12 +30,16 @@ impl<R: Real, const N: usize, const C: usize> Load<R, N, C> {
     }
 
     /// Whether slips are driven in the `middle` of the time as by a load that grows linearly, up to a tenth.
+    /// Forces, too, are at most twice as large at the end. Those of a motion that has run away grow like the
+    /// squares of its velocities, and in their rounding errors all others would vanish.
     pub(super) fn is_even(&self, middle: &Self) -> bool {
-        let half = R::from_f64(0.5);
+        let (half, tenth) = (R::from_f64(0.5), R::from_f64(0.1));
+        let twice = R::from_f64(2.0) + tenth;
         (0..C).all(|row| {
             let [start, end] = self.parts.each(|parts| entry(&parts, row));
-            let middle = entry(&middle.parts[1], row);
-            !above((middle - half * (start + end)).abs(), R::from_f64(0.1) * most(start, end))
+            let part = entry(&middle.parts[1], row);
+            !above((part - half * (start + end)).abs(), tenth * most(start, end))
+                && !above(entry(&self.sizes, row), twice * entry(&middle.sizes, row))
         })
     }
 }
