@@ -96,6 +96,9 @@ where
                 && (state.t > self.t() || self.is_here(&before, &state))
                 && state.t <= until
             {
+                // A piece on the way from a start ends later than the change, and the state before it is the
+                // present one.
+                let before = if self.memory.is_way { self.state } else { before };
                 self.advance_to(state.t)?;
                 (self.state, self.memory.told) = (state, Some(state.t));
                 return Ok(Some(Switch { before, state }));

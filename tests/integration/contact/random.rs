@@ -163,6 +163,7 @@ macro_rules! follow {
                 Ok(switch) => {
                     $tally.switches += 1;
                     if let Some(switch) = &switch {
+                        assert!(switch.before.t <= switch.state.t, "{}: {switch:?}", $number);
                         let [from, to] =
                             [&switch.before, &switch.state].map(|state| system.kinetic_energy(state));
                         assert!(

@@ -96,7 +96,7 @@ fn random_balls_in_a_corner_obey_their_laws() {
     let mut tally = Tally::default();
     let corners = (0..40)
         .chain([41, 80, 83, 84, 103, 110, 142, 218, 248, 364, 383, 406, 475, 493, 546, 688, 710, 957])
-        .chain([1009, 1195, 1198, 1453, 1521, 1622, 1845, 6771]);
+        .chain([1009, 1195, 1198, 1453, 1521, 1622, 1845, 6771, 8329]);
     corners.for_each(|number| follow_in_corner(number, &mut tally));
     assert!(tally.switches > 5 * tally.motions && tally.paradoxes == 0, "{tally:?}");
 }
