@@ -306,18 +306,25 @@ where
         a: &[S::Scalar; N],
         scales: &Scales<S::Scalar, C>,
     ) -> Option<Grown<S::Scalar, N, C, W>> {
+        let number = S::Scalar::from_f64;
         let (mut later, mut last) = (self.instant(), None);
         for _ in 0..TRIES {
             match self.load_at(regime, a, scales, later) {
-                Ok(load) => last = Some(load),
+                Ok(load) => last = Some(load.later),
                 Err(Not::Alone(_)) => break,
                 Err(_) => {}
             }
-            later *= S::Scalar::from_f64(2.0);
+            later *= number(2.0);
         }
-        let end = last?;
-        let middle = self.load_at(regime, a, scales, S::Scalar::from_f64(0.5) * end.later).ok()?;
-        self.taken_on(regime, a, &middle, &end)
+        let mut later = last?;
+        while above(later, self.instant()) {
+            match self.grown_by(regime, a, scales, later) {
+                Ok(grown) => return Some(grown),
+                Err(Not::Strays) => break,
+                Err(_) => later *= number(0.5),
+            }
+        }
+        None
     }
 
     /// A time that rounding hardly resolves \[s].
