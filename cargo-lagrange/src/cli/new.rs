@@ -85,8 +85,8 @@ fn library(folder: &Path) -> Result<PathBuf, String> {
     if is_there { Ok(whole) } else { Err(missing()) }
 }
 
-/// A message of `cargo new`. Where it is about the name of the package, its first line says what is wrong, and
-/// the rest gives advice on files that a package of this command does not have.
+/// A message of `cargo new`. Where it is about the name of the package, its first line says what is wrong,
+/// and the rest gives advice on files that a package of this command does not have.
 fn in_our_words(message: &str) -> String {
     match message.lines().next() {
         Some(first) if message.contains("--name") || first.contains("package name") => {

@@ -209,8 +209,9 @@ pub fn norm(a: Vector) -> f64 {
     a[0].hypot(a[1]).hypot(a[2])
 }
 
-/// The direction of `a` in numbers whose squares have all their digits. Beside the ends of the range of doubles
-/// squares and lengths overflow or lose digits; a power of two leads away from there without rounding.
+/// The direction of `a` in numbers whose squares have all their digits. Beside the ends of the range of
+/// doubles squares and lengths overflow or lose digits. A power of two leads away from there without
+/// rounding.
 pub fn moderate<const N: usize>(a: [f64; N]) -> [f64; N] {
     let factor = match a.into_iter().fold(0.0, |largest, entry| entry.abs().max(largest)) {
         largest if largest < 1e-100 => 2_f64.powi(600),
