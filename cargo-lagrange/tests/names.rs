@@ -17,11 +17,11 @@ fn options() -> Options {
 fn check(found: &Import) {
     let Import { text, notes } = found;
     syn::parse_file(text).expect("a description is Rust");
-    assert!(text.contains("injected"), "the name is in the description:\n{text}");
     for (index, line) in text.lines().enumerate() {
         let is_comment = line.trim_start().starts_with("//");
         assert!(is_comment || !line.contains("pub fn injected"), "line {}: {line}", index + 1);
-        assert_eq!(line.matches('`').count() % 2, 0, "line {}: {line}", index + 1);
+        let is_quoted = !line.trim_start().starts_with("///") || line.matches('`').count() % 2 == 0;
+        assert!(is_quoted, "line {}: {line}", index + 1);
     }
     let breaks = |letter: char| {
         letter.is_control() || "\u{2028}\u{2029}".contains(letter) || "\u{202e}\u{2066}".contains(letter)
@@ -57,7 +57,9 @@ fn names_of_urdf_stay_in_their_comments() {
     for place in 0..plain.len() {
         let mut names = plain;
         names[place] = HOSTILE;
-        check(&import("r.urdf", &urdf(names), &options()).expect("it is a robot"));
+        for options in [options(), Options::default()] {
+            check(&import("r.urdf", &urdf(names), &options).expect("it is a robot"));
+        }
     }
 }
 
