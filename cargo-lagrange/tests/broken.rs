@@ -202,14 +202,43 @@ fn every_mistake_of_urdf_has_its_place() {
             "<origin rpy=\"0 1.57 0\"/>",
             "warning: r.urdf:12:5: <origin> of <joint name=\"turn\">: 1.57 is a right angle of few digits, and is taken as",
         ),
+        (
+            "<axis xyz=\"1 0 0\"/>",
+            "<origin rpy=\"3.14 1.57 3.14\"/>",
+            "warning: r.urdf:12:5: <origin> of <joint name=\"turn\">: 3.14 and 1.57 are right angles of few digits, and are \
+             taken as written; --right-angles 0.002 makes them exact",
+        ),
         ("<inertial>", "<inertial><mass value=\"0\"/></inertial><inertial>", "it has no <inertia>; write"),
     ] {
         let found = message(&broken(from, to));
-        assert!(found.contains(expected), "\n{from} -> {to}\nfound    {found}\nexpected {expected}");
+        assert_eq!(
+            found.matches(expected).count(),
+            1,
+            "\n{from} -> {to}\nfound    {found}\nexpected {expected}"
+        );
     }
     assert!(message("<sdf/>").starts_with("error: r.urdf:1:1: <sdf>: SDF is not read"));
     assert!(message("<car/>").starts_with("error: r.urdf:1:1: <car>: <car> is no robot"));
     assert!(message("<robot/>").contains("the robot has no links"));
+}
+
+#[test]
+fn joints_without_limits_have_no_stops() {
+    let options = Options { limits: true, ..Options::default() };
+    let warnings = |kind: &str| {
+        let robot = broken("type=\"revolute\"", &format!("type=\"{kind}\""));
+        let found = import("r.urdf", &robot, &options).unwrap_or_else(|report| panic!("{report}"));
+        assert!(!found.text.contains("#[unilateral]"));
+        found.notes.into_iter().filter(|note| note.starts_with("warning")).collect::<Vec<_>>()
+    };
+    for kind in ["revolute", "prismatic"] {
+        assert_eq!(
+            warnings(kind),
+            ["warning: r.urdf:9:3: <joint name=\"turn\">: no stops: the format asks for <limit lower=\"…\" \
+              upper=\"…\"/> here; write one, or another type, such as continuous"]
+        );
+    }
+    assert_eq!(warnings("continuous"), [""; 0]);
 }
 
 /// All mistakes come at once.

@@ -87,3 +87,44 @@ fn mistakes_are_errors() {
         assert!(text(&output.stderr).contains(message), "{}", text(&output.stderr));
     }
 }
+
+/// What `new` says, and whether it left a folder.
+fn new(arguments: &[&str]) -> (bool, String) {
+    let folder = tempfile::tempdir().expect("the machine has room");
+    let lagrangian = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_cargo-lagrange"));
+    command.current_dir(folder.path()).arg("new").args(arguments);
+    if !arguments.contains(&"--lagrangian") {
+        command.arg("--lagrangian").arg(lagrangian);
+    }
+    let output = command.output().expect("the command starts");
+    let is_empty = fs::read_dir(folder.path()).expect("the folder is there").next().is_none();
+    assert_eq!(output.status.success(), !is_empty, "{}", text(&output.stderr));
+    (!is_empty, text(&output.stderr))
+}
+
+#[test]
+fn new_refuses_what_would_not_build() {
+    let here = env!("CARGO_MANIFEST_DIR");
+    let missing = "the crate `lagrangian` is not there; name the folder with the Cargo.toml of that crate";
+    let files = format!("{here}/tests");
+    let other = "; give the package another one with --name\n";
+    let own = "error: a package named `lagrangian` cannot depend on the crate of that name";
+    for (arguments, messages) in [
+        (&["swing", "--lagrangian", here][..], &["error: --lagrangian ", missing][..]),
+        (&["swing", "--lagrangian", &files], &["error: --lagrangian ", missing]),
+        (&["swing", "--lagrangian", "nowhere"], &["error: --lagrangian nowhere: No such file"]),
+        (&["lagrangian"], &[own, "; give it another one with --name\n"]),
+        (&["swing", "--name", "lagrangian"], &[own]),
+        (&["loop"], &["error: ", "`loop`", other]),
+        (&["3d"], &["error: ", "`3d`", other]),
+        (&["a b"], &["error: ", "`a b`", other]),
+        (&["swing", "--name", "test"], &["error: ", "`test`", other]),
+    ] {
+        let (is_there, said) = new(arguments);
+        assert!(!is_there && said.lines().count() == 1, "{arguments:?} {said}");
+        assert!(messages.iter().all(|message| said.contains(message)), "{arguments:?} {said}");
+    }
+    assert!(new(&["lagrangian", "--name", "swing"]).0);
+    assert!(new(&["swing"]).0);
+}

@@ -480,7 +480,7 @@ As `velocities_from_momenta`, and where constraints have no multipliers.*/
                         - rate_2 * rate_2 * (sin_theta * sin_theta));
             [-(mass_2 * length * w1)]
         }
-        ///Lumped parameters π in which the equations are linear, M a + b = Y π; those that identification can tell apart at most.
+        ///Lumped parameters π in which the equations are linear, M a + b = Y π; those that identification can tell apart at most. `1` stands for what no parameter multiplies.
         pub const REGRESSOR: [&'static str; 3] = [
             "mass·length²",
             "mass·length·g",
@@ -501,7 +501,7 @@ As `velocities_from_momenta`, and where constraints have no multipliers.*/
             ]
         }
         #[allow(unused_variables)]
-        ///Regressor Y(q, v, a, t) with Y π = M a + b: a row for each coordinate, a column for each lumped parameter.
+        ///Regressor Y(q, v, a, t) with Y π = M a + b: a row for each coordinate, a column for each lumped parameter. It has inertia and what a potential or Lagrangian gives; damping and `#[force]` functions are not in it.
         #[inline]
         pub fn regressor(
             &self,

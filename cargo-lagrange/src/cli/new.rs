@@ -1,6 +1,7 @@
 //! `new`: a package with a model that runs.
 
 use std::env;
+use std::ffi::OsStr;
 use std::fs::{self, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -8,10 +9,14 @@ use std::process::Command;
 
 use clap::Args;
 
+use super::package::metadata;
 use super::print;
 
 /// The program of a new package; compiled and run by `tests/compiled/`.
 const PROGRAM: &str = include_str!("../../template/main.rs");
+
+/// The crate that descriptions use.
+const LIBRARY: &str = "lagrangian";
 
 /// The profile of the manifest. Cargo reads it in the root of a workspace alone.
 const PROFILE: &str = "\n# Motions need optimised code.\n[profile.dev]\nopt-level = 2\n";
@@ -35,18 +40,20 @@ pub fn run(arguments: &NewArguments) -> Result<(), String> {
     let path = &arguments.path;
     let dependency = match &arguments.lagrangian {
         None => format!("{:?}", env!("CARGO_PKG_VERSION")),
-        Some(folder) => {
-            let folder =
-                fs::canonicalize(folder).map_err(|error| format!("error: {}: {error}", folder.display()))?;
-            format!("{{ path = {:?} }}", folder.display().to_string())
-        }
+        Some(folder) => format!("{{ path = {:?} }}", library(folder)?.display().to_string()),
     };
+    let name = arguments.name.as_deref().map(OsStr::new).or_else(|| path.file_name());
+    if name.is_some_and(|name| name == LIBRARY) {
+        return Err(format!(
+            "error: a package named `{LIBRARY}` cannot depend on the crate of that name; give it another one with --name"
+        ));
+    }
     let mut new = cargo();
     new.args(["new", "--bin", "--quiet"]).arg(path);
     if let Some(name) = &arguments.name {
         new.arg("--name").arg(name);
     }
-    output(&mut new)?;
+    output(&mut new).map_err(|message| in_our_words(&message))?;
     let manifest = path.join("Cargo.toml");
     let profile = if is_root(&manifest)? { PROFILE } else { "" };
     fill(path, &manifest, &format!("lagrangian = {dependency}\n{profile}"))
@@ -55,6 +62,38 @@ pub fn run(arguments: &NewArguments) -> Result<(), String> {
         "{} is there. Next:\n\n  cd {0}\n  cargo run\n  cargo lagrange equations\n",
         path.display()
     ))
+}
+
+/// The folder of the library, as a path from anywhere.
+fn library(folder: &Path) -> Result<PathBuf, String> {
+    let failed = |what: &str| format!("error: --lagrangian {}: {what}", folder.display());
+    let whole = fs::canonicalize(folder).map_err(|error| failed(&error.to_string()))?;
+    let manifest = whole.join("Cargo.toml");
+    let missing = || {
+        failed(&format!(
+            "the crate `{LIBRARY}` is not there; name the folder with the Cargo.toml of that crate"
+        ))
+    };
+    if !manifest.is_file() {
+        return Err(missing());
+    }
+    let metadata = metadata(Some(&manifest))?;
+    let is_there = metadata
+        .packages
+        .iter()
+        .any(|found| found.name.as_str() == LIBRARY && found.manifest_path == manifest);
+    if is_there { Ok(whole) } else { Err(missing()) }
+}
+
+/// A message of `cargo new`. Where it is about the name of the package, its first line says what is wrong,
+/// and the rest gives advice on files that a package of this command does not have.
+fn in_our_words(message: &str) -> String {
+    match message.lines().next() {
+        Some(first) if message.contains("--name") || first.contains("package name") => {
+            format!("{first}; give the package another one with --name")
+        }
+        _ => message.to_owned(),
+    }
 }
 
 /// The cargo that runs this command, or the one of the path.

@@ -209,13 +209,28 @@ pub fn norm(a: Vector) -> f64 {
     a[0].hypot(a[1]).hypot(a[2])
 }
 
+/// The direction of `a` in numbers whose squares have all their digits. Beside the ends of the range of
+/// doubles squares and lengths overflow or lose digits. A power of two leads away from there without
+/// rounding.
+pub fn moderate<const N: usize>(a: [f64; N]) -> [f64; N] {
+    let factor = match a.into_iter().fold(0.0, |largest, entry| entry.abs().max(largest)) {
+        largest if largest < 1e-100 => 2_f64.powi(600),
+        largest if largest > 1e100 => 2_f64.powi(-600),
+        _ => 1.0,
+    };
+    a.map(|entry| factor * entry)
+}
+
+/// A unit vector along `a`; `None` for zero.
+pub fn unit(a: Vector) -> Option<Vector> {
+    let a = moderate(a);
+    let length = norm(a);
+    (length != 0.0).then(|| a.map(|entry| entry / length))
+}
+
 /// A unit vector along `a`, along an axis if it is within a tolerance of it; `None` for zero.
 pub fn direction(a: Vector, tolerance: f64) -> Option<Vector> {
-    let length = norm(a);
-    if length == 0.0 {
-        return None;
-    }
-    let unit = a.map(|entry| entry / length);
+    let unit = unit(a)?;
     let main = (0..3).find(|&i| (0..3).all(|j| i == j || unit[j].abs() <= tolerance));
     Some(main.map_or(unit, |i| std::array::from_fn(|j| if i == j { unit[i].signum() } else { 0.0 })))
 }
@@ -245,6 +260,17 @@ mod tests {
         assert_eq!(Angle::new(1.57, 1e-9), Angle::Radians(1.57));
         let turn = Rotation::of_angles([Angle::Quarters(1), Angle::Quarters(-1), Angle::Quarters(2)]);
         assert!(turn.matrix.as_flattened().iter().all(|entry| [-1.0, 0.0, 1.0].contains(entry)));
+    }
+
+    /// Lengths among the denormals have few digits, and those of the largest numbers overflow.
+    #[test]
+    fn directions_do_not_depend_on_the_length() {
+        let half = std::f64::consts::FRAC_1_SQRT_2;
+        for size in [f64::from_bits(1), 1e-320, 1e-310, 1e-200, 1e200, 1.7e308] {
+            let [x, y, z] = direction([size, 0.0, -size], 0.0).expect("the vector is not zero");
+            assert!((x - half).abs() < 1e-15 && y == 0.0 && z == -x, "{size:e} {x:?} {z:?}");
+        }
+        assert_eq!(direction([0.0; 3], 0.0), None);
     }
 
     #[test]

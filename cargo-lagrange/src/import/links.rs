@@ -11,17 +11,33 @@ use super::xml::Reader;
 /// How far angles of few digits, such as 1.57 or 3.14, are from the right angle that they mean.
 const FEW_DIGITS: f64 = 2e-3;
 
-/// An angle [rad], a right one within the tolerance of the options.
-pub fn angle(reader: &mut Reader<'_>, node: Node<'_, '_>, radians: f64, options: &Options) -> Angle {
-    let angle = Angle::new(radians, options.tolerance);
-    let is_turned = radians.abs() > FEW_DIGITS;
-    if is_turned && angle == Angle::Radians(radians) && Angle::new(radians, FEW_DIGITS) != angle {
-        let text = format!(
-            "{radians} is a right angle of few digits, and is taken as written; --right-angles {FEW_DIGITS} makes it exact"
-        );
-        reader.warning(node, text);
-    }
-    angle
+/// Angles [rad] of an element, right ones within the tolerance of the options.
+pub fn angles<const N: usize>(
+    reader: &mut Reader<'_>,
+    node: Node<'_, '_>,
+    radians: [f64; N],
+    options: &Options,
+) -> [Angle; N] {
+    let mut rough: Vec<String> = Vec::new();
+    let angles = radians.map(|radians| {
+        let angle = Angle::new(radians, options.tolerance);
+        let is_turned = radians.abs() > FEW_DIGITS;
+        let is_rough =
+            is_turned && angle == Angle::Radians(radians) && Angle::new(radians, FEW_DIGITS) != angle;
+        let written = radians.to_string();
+        if is_rough && !rough.contains(&written) {
+            rough.push(written);
+        }
+        angle
+    });
+    let what = match rough.as_slice() {
+        [] => return angles,
+        [one] => format!("{one} is a right angle of few digits, and is taken as written"),
+        all => format!("{} are right angles of few digits, and are taken as written", all.join(" and ")),
+    };
+    let them = if rough.len() == 1 { "it" } else { "them" };
+    reader.warning(node, format!("{what}; --right-angles {FEW_DIGITS} makes {them} exact"));
+    angles
 }
 
 /// Reports what no body can have. A link that is fixed to others may have any inertia, if all together have a

@@ -39,6 +39,17 @@ impl fmt::Display for Report {
 
 impl std::error::Error for Report {}
 
+/// A text that stays on its line, be it a comment of Rust or a message. Names of a file may have any
+/// characters. Those that end a line become spaces, and so do those that turn the direction of what follows:
+/// rustc refuses these in comments, since a reader sees other code than there is.
+pub fn one_line(text: &str) -> String {
+    let breaks = |letter: char| {
+        letter.is_control()
+            || matches!(letter, '\u{2028}' | '\u{2029}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    };
+    text.chars().map(|letter| if breaks(letter) { ' ' } else { letter }).collect()
+}
+
 /// Collects problems and notes.
 #[derive(Debug, Default)]
 pub struct Sink {
@@ -52,7 +63,8 @@ impl Sink {
     /// A mistake of the file.
     pub fn problem(&mut self, at: &Mark, text: impl Into<String>) {
         let TextPos { row, col } = at.position;
-        let problem = Problem { line: row, column: col, element: at.element.clone(), text: text.into() };
+        let [element, text] = [&at.element, &text.into()].map(|text| one_line(text));
+        let problem = Problem { line: row, column: col, element, text };
         // A mistake in defaults is found in all that takes them; once is enough.
         if !self.problems.contains(&problem) {
             self.problems.push(problem);
@@ -62,17 +74,21 @@ impl Sink {
     /// Something that may be a mistake.
     pub fn warning(&mut self, file: &str, at: &Mark, text: impl AsRef<str>) {
         let TextPos { row, col } = at.position;
-        self.notes.push(format!("warning: {file}:{row}:{col}: {}: {}", at.element, text.as_ref()));
+        self.say(format!("warning: {file}:{row}:{col}: {}: {}", at.element, text.as_ref()));
     }
 
     /// The same of the whole, which has no place in the file.
     pub fn caution(&mut self, text: impl AsRef<str>) {
-        self.notes.push(format!("warning: {}", text.as_ref()));
+        self.say(format!("warning: {}", text.as_ref()));
     }
 
     /// Something that was decided.
     pub fn note(&mut self, text: impl AsRef<str>) {
-        self.notes.push(format!("note: {}", text.as_ref()));
+        self.say(format!("note: {}", text.as_ref()));
+    }
+
+    fn say(&mut self, text: String) {
+        self.notes.push(one_line(&text));
     }
 }
 

@@ -75,8 +75,8 @@ impl Urdf<'_, '_> {
     fn origin(&mut self, node: Node<'_, '_>) -> Pose {
         let Some(origin) = child(node, "origin") else { return Pose::IDENTITY };
         let shift = self.reader.vector(origin, "xyz").unwrap_or([0.0; 3]);
-        let angles: [f64; 3] = self.reader.vector(origin, "rpy").unwrap_or([0.0; 3]);
-        let angles = angles.map(|angle| links::angle(self.reader, origin, angle, self.options));
+        let angles = self.reader.vector(origin, "rpy").unwrap_or([0.0; 3]);
+        let angles = links::angles(self.reader, origin, angles, self.options);
         Pose { shift, turn: Rotation::of_angles(angles) }
     }
 
@@ -198,7 +198,14 @@ impl Urdf<'_, '_> {
             }
         }
         let bounded = matches!(node.attribute("type"), Some("revolute" | "prismatic")) && kind.is_some();
-        let Some(limit) = child(node, "limit") else { return action };
+        let Some(limit) = child(node, "limit") else {
+            if self.options.limits && bounded {
+                let text = "no stops: the format asks for <limit lower=\"…\" upper=\"…\"/> here; write one, or \
+                            another type, such as continuous";
+                self.reader.warning(node, text);
+            }
+            return action;
+        };
         let [lower, upper] = ["lower", "upper"].map(|side| self.reader.number(limit, side).unwrap_or(0.0));
         if bounded && lower > upper {
             let text = format!("{lower} is above upper=\"{upper}\"; exchange the two");

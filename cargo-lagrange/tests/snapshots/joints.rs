@@ -94,7 +94,7 @@ impl Joints {
 
     /// How high a place is, against the direction of gravity, in m.
     fn height(&self, place: &Translation3<f64>) -> f64 {
-        -0.6000000000000001 * place.y + 0.8 * place.z
+        -0.6 * place.y + 0.8 * place.z
     }
 
     /// The potential of the weight.

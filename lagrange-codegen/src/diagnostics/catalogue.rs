@@ -317,6 +317,8 @@ messages! {
         write `{name} as {float}`";
     integer_quotient(left, right) = "this divides integers, which drops the fraction; write \
         `{left} / {right}`";
+    integer_in_quotient(value, quotient, float) = "this is an integer where a number of the scalar type is needed; write \
+        `{value}.0`, or convert the quotient of integers, which drops the fraction: `{quotient} as {float}`";
     not_an_integer(value) = "a constant integer is needed here, not {value}";
     parameter_as_integer(path) = "the value of `{path}` is not known to the macro; use a literal or a \
         `const` of this impl block, written `Self::NAME`";

@@ -216,30 +216,12 @@ impl<'a> Interpreter<'a> {
 
     /// Reports an integer where a number of the scalar type is needed.
     pub fn integer_as_number(&mut self, value: i128, expr: &'a Expr) -> Value {
-        let message = match &expr.kind {
-            ExprKind::Binary(BinaryOperator::Divide, left, right) => {
-                let real = |expr: &Expr| match &expr.kind {
-                    ExprKind::Integer(value, _) => format!("{value}.0"),
-                    _ => format!("{} as {}", written(expr), self.float()),
-                };
-                catalogue::integer_quotient(real(left), real(right))
-            }
-            // A product may contain the quotient: `1 / 2 * 3`.
-            ExprKind::Binary(BinaryOperator::Multiply, left, right) => {
-                let is_quotient =
-                    |side: &&'a Expr| matches!(side.kind, ExprKind::Binary(BinaryOperator::Divide, ..));
-                match [&**left, &**right].into_iter().find(is_quotient) {
-                    Some(quotient) => return self.integer_as_number(value, quotient),
-                    None => catalogue::integer_for_scalar(value),
-                }
-            }
-            ExprKind::Path(path) => catalogue::integer_variable(&path.text, self.float()),
-            _ => catalogue::integer_for_scalar(value),
-        };
-        self.refuse(expr.origin, message)
+        let (place, message) = counted_as_number(value, expr, self.float());
+        self.refuse(place, message)
     }
 
-    fn float(&self) -> &'static str {
+    /// The type that integers are converted into.
+    pub fn float(&self) -> &'static str {
         match &self.item.scalar {
             Scalar::F32 => "f32",
             Scalar::F64 | Scalar::Generic(_) => "f64",
@@ -260,6 +242,31 @@ impl<'a> Interpreter<'a> {
             Some(RoleKind::Kinetic | RoleKind::Potential | RoleKind::Lagrangian) | None => "a Lagrangian",
         }
     }
+}
+
+/// What is said of a constant integer where a number of the scalar type is needed, and where.
+pub fn counted_as_number(value: i128, expr: &Expr, float: &str) -> (Origin, String) {
+    let message = match &expr.kind {
+        ExprKind::Binary(BinaryOperator::Divide, left, right) => {
+            let real = |expr: &Expr| match &expr.kind {
+                ExprKind::Integer(value, _) => format!("{value}.0"),
+                _ => format!("{} as {float}", written(expr)),
+            };
+            catalogue::integer_quotient(real(left), real(right))
+        }
+        // A product may contain the quotient: `1 / 2 * 3`.
+        ExprKind::Binary(BinaryOperator::Multiply, left, right) => {
+            let is_quotient =
+                |side: &&Expr| matches!(side.kind, ExprKind::Binary(BinaryOperator::Divide, ..));
+            match [&**left, &**right].into_iter().find(is_quotient) {
+                Some(quotient) => return counted_as_number(value, quotient, float),
+                None => catalogue::integer_for_scalar(value),
+            }
+        }
+        ExprKind::Path(path) => catalogue::integer_variable(&path.text, float),
+        _ => catalogue::integer_for_scalar(value),
+    };
+    (expr.origin, message)
 }
 
 /// The call of a method for a function of the arguments.
@@ -320,13 +327,6 @@ pub fn argument_count(name: &str, expected: usize, given: usize) -> String {
 pub fn meets_integer(operator: BinaryOperator, other: &Value) -> bool {
     match other {
         Value::Scalar(..) | Value::Vector(_) | Value::Matrix(_) => operator != BinaryOperator::Remainder,
-        Value::Parameter(_) => matches!(
-            operator,
-            BinaryOperator::Add
-                | BinaryOperator::Subtract
-                | BinaryOperator::Multiply
-                | BinaryOperator::Divide
-        ),
         _ => false,
     }
 }

@@ -12,6 +12,14 @@ use crate::syntax::body::BinaryOperator;
 impl Interpreter<'_> {
     /// A comparison of two values. That of constants is decided as Rust decides it.
     pub fn compare(&mut self, operator: BinaryOperator, left: Value, right: Value, origin: Origin) -> Value {
+        for value in [&left, &right] {
+            if let Value::Parameter(id) = value
+                && self.parameters.is_integer(*id)
+            {
+                let text = self.parameters.text(*id).to_string();
+                return self.refuse(origin, catalogue::branch_on_count(text));
+            }
+        }
         let verdict = match (&left, &right) {
             (Value::Integer(a, ..), Value::Integer(b, ..)) => holds(operator, a, b),
             (Value::Boolean(a), Value::Boolean(b)) => holds(operator, a, b),

@@ -143,6 +143,9 @@ impl<'a> Interpreter<'a> {
         arguments: Vec<Value>,
         origin: Origin,
     ) -> Value {
+        if let Some(value) = self.method_as_written(id, word, &arguments, origin) {
+            return value;
+        }
         let name = &*word.name;
         match (name, arguments.as_slice()) {
             // The length may follow from a partner later on.

@@ -47,6 +47,7 @@ pub(crate) mod tests;
 mod value;
 mod vector;
 mod velocity;
+mod whole;
 
 use crate::calculus::substitute;
 use crate::diagnostics::Diagnostics;

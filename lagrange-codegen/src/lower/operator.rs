@@ -26,10 +26,7 @@ impl<'a> Interpreter<'a> {
             (UnaryOperator::Negate, Value::Scalar(node, rounded)) => {
                 Value::Scalar(self.graph().neg(node), rounded.negated())
             }
-            (UnaryOperator::Negate, operand @ Value::Parameter(_)) => match self.scalar(operand, origin) {
-                Some(node) => Value::scalar(self.graph().neg(node)),
-                None => Value::Unknown,
-            },
+            (operator, Value::Parameter(id)) => self.unary_of_parameter(operator, id, origin),
             (UnaryOperator::Negate, Value::Vector(nodes)) => {
                 Value::Vector(nodes.iter().map(|&node| self.graph().neg(node)).collect())
             }
@@ -44,11 +41,7 @@ impl<'a> Interpreter<'a> {
                 self.refuse(origin, message)
             }
             (operator, operand) => {
-                let sign = match operator {
-                    UnaryOperator::Negate => "-",
-                    UnaryOperator::Not => "!",
-                };
-                self.refuse(origin, catalogue::bad_operand(sign, operand.describe()))
+                self.refuse(origin, catalogue::bad_operand(operator.sign(), operand.describe()))
             }
         }
     }
@@ -75,7 +68,10 @@ impl<'a> Interpreter<'a> {
                     (other, Value::Integer(value, ..)) if meets_integer(operator, other) => {
                         self.integer_as_number(*value, right)
                     }
-                    _ => self.arithmetic(operator, first, second, origin),
+                    operands => {
+                        let whole = self.of_integers(operator, operands.into(), Some([left, right]), origin);
+                        whole.unwrap_or_else(|| self.arithmetic(operator, first, second, origin))
+                    }
                 }
             }
         }
@@ -100,6 +96,9 @@ impl<'a> Interpreter<'a> {
                 None if *b == 0 => self.refuse(origin, catalogue::integer_division_by_zero()),
                 None => self.refuse(origin, catalogue::integer_overflow()),
             };
+        }
+        if let Some(value) = self.of_integers(operator, [&left, &right], None, origin) {
+            return value;
         }
         if let (BinaryOperator::Remainder, Value::Scalar(node, rounded)) = (operator, &left)
             && let Some(value) = self.jump("%", (*node, *rounded), std::slice::from_ref(&right), origin)

@@ -12,6 +12,8 @@ use crate::model::{Length, Parameter};
 pub struct Parameters {
     paths: Vec<PathEntry>,
     known: Lookup<String, ParameterId>,
+    /// While the operand of a conversion is evaluated: operators on parameters are kept as they are written.
+    pub as_written: bool,
 }
 
 #[derive(Debug)]
@@ -20,6 +22,10 @@ struct PathEntry {
     label: String,
     origin: Origin,
     node: Option<NodeId>,
+    /// Whether it is known to be an integer.
+    is_integer: bool,
+    /// The mistake that made it an integer, if it is taken for a number.
+    mistake: Option<(Origin, String)>,
 }
 
 impl Parameters {
@@ -30,8 +36,24 @@ impl Parameters {
         }
         let id = ParameterId(self.paths.len());
         self.known.insert(text.clone(), id);
-        self.paths.push(PathEntry { text, label, origin, node: None });
+        self.paths.push(PathEntry { text, label, origin, node: None, is_integer: false, mistake: None });
         id
+    }
+
+    /// Notes that a path is an integer, with the mistake that made it one if it is taken for a number.
+    pub fn note_integer(&mut self, id: ParameterId, mistake: Option<(Origin, String)>) {
+        let entry = &mut self.paths[id.0];
+        (entry.is_integer, entry.mistake) = (true, mistake.or(entry.mistake.take()));
+    }
+
+    /// Whether a path is known to be an integer.
+    pub fn is_integer(&self, id: ParameterId) -> bool {
+        self.paths[id.0].is_integer
+    }
+
+    /// The mistake that made a path an integer.
+    pub fn mistake(&self, id: ParameterId) -> Option<(Origin, String)> {
+        self.paths[id.0].mistake.clone()
     }
 
     /// The path of a text, if it has been met.
@@ -110,6 +132,7 @@ impl Interpreter<'_> {
         label: &str,
         origin: Origin,
     ) -> ParameterId {
+        self.refuses_integer(id, origin);
         let text = format!("{}{suffix}", self.parameters.text(id));
         let label = match self.parameters.label(id) {
             "" if label.starts_with(|c: char| c.is_ascii_digit()) => format!("parameter_{label}"),
@@ -129,6 +152,9 @@ impl Interpreter<'_> {
 
     /// The node of a parameter that is a scalar.
     pub fn scalar_parameter(&mut self, id: ParameterId, origin: Origin) -> Option<NodeId> {
+        if self.refuses_integer(id, origin) {
+            return None;
+        }
         let entry = &mut self.parameters.paths[id.0];
         if let Some(node) = entry.node {
             return Some(node);

@@ -120,7 +120,7 @@ impl<'a> Interpreter<'a> {
 
     /// `value as type`.
     pub fn cast(&mut self, value: &'a Expr, ty: &'a Type, origin: Origin) -> Value {
-        let value = self.expression(value);
+        let value = self.convertible(value);
         match (&value, &ty.kind) {
             (Value::Unknown, _) => Value::Unknown,
             (Value::Integer(integer, _), TypeKind::Scalar) => {
@@ -147,7 +147,11 @@ impl<'a> Interpreter<'a> {
             (Value::Parameter(id), TypeKind::Scalar | TypeKind::Integer(_) | TypeKind::OtherFloat) => {
                 let text = format!("({} as {})", self.parameters.text(*id), ty.written);
                 let label = self.parameters.label(*id).to_string();
-                Value::Parameter(self.parameters.intern(text, label, origin))
+                let id = self.parameters.intern(text, label, origin);
+                match ty.kind {
+                    TypeKind::Integer(_) => self.known_integer(id),
+                    _ => Value::Parameter(id),
+                }
             }
             (Value::Choice(_), TypeKind::Scalar | TypeKind::Integer(_)) => self.condition_as_number(origin),
             (_, TypeKind::OtherFloat) => {
@@ -176,7 +180,17 @@ impl<'a> Interpreter<'a> {
         if let Owner::Local(name) = &path.owner {
             return self.refuse(path.origin, catalogue::local_item(name));
         }
-        let values = self.expressions(arguments);
+        let is_number =
+            |ty: &Type| matches!(ty.kind, TypeKind::Scalar | TypeKind::OtherFloat | TypeKind::Integer(_));
+        let values = match (&path.owner, arguments) {
+            (Owner::Type(ty), [argument]) if is_number(ty) && path.last.starts_with("from") => {
+                vec![self.convertible(argument)]
+            }
+            _ => self.expressions(arguments),
+        };
+        if let Some(value) = self.function_of_fields(path, &values, origin) {
+            return value;
+        }
         if let Some(id) = self.closure_of(path) {
             return match values.iter().any(Value::is_unknown) {
                 true => Value::Unknown,

@@ -246,7 +246,8 @@ impl<'a> Interpreter<'a> {
     /// A parameter of known shape as components, each a parameter of its own.
     fn unfold(&mut self, id: ParameterId, shape: &Shape, origin: Origin) -> Value {
         match shape {
-            Shape::Any | Shape::Integer(_) | Shape::Boolean | Shape::Slice(_) => Value::Parameter(id),
+            Shape::Integer(_) => self.known_integer(id),
+            Shape::Any | Shape::Boolean | Shape::Slice(_) => Value::Parameter(id),
             Shape::Scalar => self.scalar_parameter(id, origin).map_or(Value::Unknown, Value::scalar),
             Shape::Vector(length) => Value::Vector(self.components(id, *length, origin)),
             Shape::Point(length) => Value::Point(self.components(id, *length, origin)),

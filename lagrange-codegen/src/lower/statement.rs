@@ -141,6 +141,7 @@ impl<'a> Interpreter<'a> {
                 value
             }
             (ExprKind::Block(block), _) => self.block_as(block, shape),
+            (_, Shape::Integer(_)) => self.convertible(expr),
             (ExprKind::Call(path, arguments), Shape::Array(_, length))
                 if &*path.last == "from_fn" && !matches!(path.owner, Owner::Type(_)) =>
             {

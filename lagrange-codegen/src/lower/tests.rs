@@ -8,6 +8,7 @@ mod language;
 mod meaning;
 mod mechanisms;
 mod nalgebra;
+mod whole;
 
 use proc_macro2::TokenStream;
 

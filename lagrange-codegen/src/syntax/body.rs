@@ -282,6 +282,16 @@ pub enum UnaryOperator {
     Not,
 }
 
+impl UnaryOperator {
+    /// As Rust writes it.
+    pub fn sign(self) -> &'static str {
+        match self {
+            UnaryOperator::Negate => "-",
+            UnaryOperator::Not => "!",
+        }
+    }
+}
+
 /// An operator of two operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BinaryOperator {

@@ -23,8 +23,8 @@ pub struct Monodromy<R, const N: usize, const P: usize = 0> {
     /// The state after the period with its derivatives by the start. Where the motion is periodic it is the
     /// start, up to whole turns of angles.
     pub transition: Transition<R, N, P>,
-    /// The eigenvalues of the state-transition matrix, largest modulus first; under constraints those on the
-    /// tangent space.
+    /// The eigenvalues of the state-transition matrix, largest modulus first, and of a pair the one with the
+    /// positive imaginary part, then its conjugate; under constraints those on the tangent space.
     ///
     /// A periodic motion of a system that does not depend on time has a multiplier 1, and a second one where
     /// energy is conserved; every other integral adds a pair. Equal multipliers are uncertain by the
@@ -118,8 +118,47 @@ where
         return Some(std::vec![Complex::new(0.0, 0.0); matrix.nrows()]);
     }
     let found = values(&(matrix / scale), R::epsilon().into())?;
-    let mut found: Vec<_> = found.into_iter().map(|value| value * scale).collect();
-    let size = |x: &Complex<f64>| x.re.hypot(x.im);
-    found.sort_by(|a, b| size(b).total_cmp(&size(a)).then(b.im.total_cmp(&a.im)));
-    Some(found)
+    Some(in_order(found.into_iter().map(|value| value * scale).collect()))
+}
+
+/// The eigenvalues of a real matrix by their moduli. Pairs go as one, since rounding would order the members
+/// of several pairs of one modulus, which is what a conservative system has, at random.
+fn in_order(found: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
+    let size = |x: Complex<f64>| x.re.hypot(x.im);
+    let (mut below, mut first): (Vec<_>, Vec<_>) = found.into_iter().partition(|x| x.im < 0.0);
+    first.sort_by(|a, b| size(*b).total_cmp(&size(*a)).then(b.re.total_cmp(&a.re)));
+    let mut sorted = Vec::new();
+    for value in first {
+        sorted.push(value);
+        let away = |x: &Complex<f64>| size(*x - value.conj());
+        let partner = (0..below.len()).min_by(|&i, &j| away(&below[i]).total_cmp(&away(&below[j])));
+        if value.im > 0.0 {
+            sorted.extend(partner.map(|index| below.swap_remove(index)));
+        }
+    }
+    sorted.extend(below);
+    sorted
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two pairs on the unit circle, with moduli that are equal or differ by roundings.
+    #[test]
+    fn conjugates_stay_together() {
+        let of = |re: f64, im: f64| Complex::new(re, im);
+        for (first, second) in [(1.0, 1.0), (1.0 + f64::EPSILON, 1.0), (1.0, 1.0 + f64::EPSILON)] {
+            let pairs = [of(0.6 * first, 0.8), of(0.8, 0.6 * second)];
+            let one = of(1.0, 0.0);
+            let found = [pairs[0], pairs[1], one, pairs[1].conj(), pairs[0].conj(), of(2.0, 0.0)];
+            let sorted = in_order(found.to_vec());
+            assert_eq!(sorted[0], of(2.0, 0.0));
+            for pair in pairs {
+                let place = sorted.iter().position(|value| *value == pair).expect("it is one of them");
+                assert_eq!(sorted[place + 1], pair.conj(), "{sorted:?}");
+            }
+            assert_eq!(sorted.len(), found.len());
+        }
+    }
 }

@@ -144,3 +144,46 @@ fn constants_are_folded_exactly() {
     assert_eq!(Literals.mass_matrix(&state)[(0, 0)], 10.5);
     assert_eq!(Literals.bias(&state), [9.0]);
 }
+
+/// Integers, of which a formula takes conversions.
+struct Gear {
+    teeth: i32,
+    stages: usize,
+    worn: Vec<u8>,
+    is_open: bool,
+    stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x], jacobians, sensitivities = [self.stiffness])]
+impl Gear {
+    #[point(mass = (self.stages / 2) as f64)]
+    fn rim(&self, q: &Coordinates) -> f64 {
+        q.x
+    }
+
+    #[potential]
+    fn ratio(&self, q: &Coordinates) -> f64 {
+        let (size, opposite) = ((self.teeth as i64).abs(), -self.teeth as f64);
+        let rest: i32 = self.teeth % 4;
+        (f64::from(-self.teeth) + opposite + size as f64 + f64::from(rest)) * q.x
+    }
+
+    #[potential]
+    fn counts(&self, q: &Coordinates) -> f64 {
+        (self.worn.len() as f64 + (!self.is_open) as i32 as f64 + f64::from(self.third())) * q.x
+            + self.stiffness * self.stages.pow(2) as f64 * q.x
+    }
+
+    fn third(&self) -> i32 {
+        -self.teeth / 3
+    }
+}
+
+#[test]
+fn integers_are_computed_as_rust_does() {
+    let gear = Gear { teeth: -17, stages: 7, worn: vec![1, 2], is_open: false, stiffness: 0.5 };
+    let state = State::at_rest([1.0]);
+    let force = (17.0 + 17.0 + 17.0 - 1.0) + (2.0 + 1.0 + 5.0) + 0.5 * 49.0;
+    close(gear.potential_energy(&state), force, 1e-15);
+    all_close(gear.accelerations(&state).unwrap(), [-force / 3.0], 1e-15);
+}

@@ -3,7 +3,7 @@
 
 use super::Writer;
 use super::bodies::weighted;
-use super::text::{grouped, number, sum};
+use super::text::{code, grouped, number, sum};
 use crate::import::motions::{Coordinate, Motion, Shape};
 use crate::import::{Following, Options};
 
@@ -68,7 +68,7 @@ impl<'p> Writer<'p> {
             return;
         }
         let ty = if record == 'q' { "Coordinates" } else { "Velocities" };
-        self.out.line(4, &format!("/// {doc}"));
+        self.out.doc(4, doc);
         self.out.line(4, &format!("#[{role}]"));
         self.out.line(4, &format!("pub fn {name}(&self, {record}: &{ty}) -> f64 {{"));
         weighted(&mut self.out, "0.5", &terms);
@@ -89,7 +89,7 @@ impl<'p> Writer<'p> {
         for (index, joint, action) in self.plan.actions().filter(|(.., action)| action.friction != 0.0) {
             let name = self.joint_name(index);
             let value = self.joint_value(index, 'v');
-            self.out.line(4, &format!("/// Dry friction in `{}`.", joint.name));
+            self.out.doc(4, &format!("Dry friction in {}.", code(&joint.name)));
             self.out.line(4, &format!("#[friction(limit = {})]", number(action.friction)));
             self.out.line(4, &format!("pub fn {name}_friction(&self, v: &Velocities) -> f64 {{"));
             self.out.line(8, &value);
@@ -106,7 +106,7 @@ impl<'p> Writer<'p> {
             let value = grouped(value);
             let below = sum(&[(1.0, value.clone()), (-lower, String::new())]);
             let above = sum(&[(upper, String::new()), (-1.0, value)]);
-            self.out.line(4, &format!("/// The stops of `{}`, lower and upper.", joint.name));
+            self.out.doc(4, &format!("The stops of {}, lower and upper.", code(&joint.name)));
             self.out.line(4, "#[unilateral]");
             self.out.line(4, &format!("pub fn {name}_limits(&self, q: &Coordinates) -> [f64; 2] {{"));
             self.out.line(8, &format!("[{below}, {above}]"));
@@ -119,14 +119,15 @@ impl<'p> Writer<'p> {
         for (index, joint, _) in self.plan.actions() {
             for (count, mimic) in joint.mimics.iter().enumerate() {
                 let mut terms = vec![(1.0, self.joint_value(index, 'q')), (-mimic.offset, String::new())];
-                let mut doc = format!("/// `{}` is tied to a value.", joint.name);
+                let own = code(&joint.name);
+                let mut doc = format!("{own} is tied to a value.");
                 if let Some(of) = mimic.of {
                     terms.insert(1, (-mimic.multiplier, grouped(self.joint_value(of, 'q'))));
-                    doc = format!("/// `{}` follows `{}`.", joint.name, self.plan.robot.joints[of].name);
+                    doc = format!("{own} follows {}.", code(&self.plan.robot.joints[of].name));
                 }
                 let name = self.joint_name(index);
                 let number = if count == 0 { String::new() } else { format!("_{}", count + 1) };
-                self.out.line(4, &doc);
+                self.out.doc(4, &doc);
                 self.out.line(4, "#[holonomic]");
                 self.out.line(4, &format!("pub fn {name}_mimic{number}(&self, q: &Coordinates) -> f64 {{"));
                 self.out.line(8, &sum(&terms));
@@ -153,7 +154,7 @@ impl<'p> Writer<'p> {
             return self.motors_apart(&forces);
         }
         let forces: Vec<String> = forces.iter().map(|terms| sum(terms)).collect();
-        self.out.line(4, "/// The forces and torques of the motors.");
+        self.out.doc(4, "The forces and torques of the motors.");
         self.out.line(4, "#[force]");
         self.out.line(4, &format!("pub fn motors(&self, u: &Inputs) -> [f64; {}] {{", forces.len()));
         self.out.list(8, "[", &forces, "]");
@@ -170,7 +171,7 @@ impl<'p> Writer<'p> {
             }
             let name = &coordinate.name;
             let plain = name.trim_end_matches('_');
-            self.out.line(4, &format!("/// The motor of `{name}`."));
+            self.out.doc(4, &format!("The motor of `{name}`."));
             self.out.line(4, &format!("#[force(on = {name})]"));
             self.out.line(4, &format!("pub fn {plain}_motor(&self, u: &Inputs) -> f64 {{"));
             self.out.line(8, &sum(terms));

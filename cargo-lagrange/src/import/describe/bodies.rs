@@ -1,8 +1,8 @@
 //! Masses that move, and their weight.
 
-use super::text::{Lines, number, shift};
+use super::text::{Lines, code, number, shift};
 use super::{Field, Writer};
-use crate::import::geometry::{norm, scaled};
+use crate::import::geometry::{norm, scaled, unit};
 use crate::import::plan::Body;
 
 impl Writer<'_> {
@@ -16,25 +16,24 @@ impl Writer<'_> {
     fn body(&mut self, body: &Body) {
         let plan = self.plan;
         let name = plan.frames[body.link].name.as_str();
-        let link = &plan.robot.links[body.link].name;
+        let link = code(&plan.robot.links[body.link].name);
         let inertial = &body.inertial;
         let mass = self.mass(body);
         let along = ["x", "y", "z"];
         let parameters = self.parameters;
         let centre = std::array::from_fn(|i| {
             let field = || format!("{name}_centre_{}", along[i]);
-            let doc = || format!("The centre of mass of `{link}` along {} of its frame, in m.", along[i]);
+            let doc = || format!("The centre of mass of {link} along {} of its frame, in m.", along[i]);
             self.value(parameters.centres, inertial.centre[i], field, doc)
         });
         let mut entry = |i: usize, j: usize| {
             let field = || format!("{name}_inertia_{}{}", along[i], along[j]);
             let doc = || match i == j {
-                true => format!(
-                    "The moment of inertia of `{link}` about {} through its centre [kg·m²].",
-                    along[i]
-                ),
+                true => {
+                    format!("The moment of inertia of {link} about {} through its centre [kg·m²].", along[i])
+                }
                 false => format!(
-                    "The product of inertia of `{link}`, entry {}{} of the tensor [kg·m²].",
+                    "The product of inertia of {link}, entry {}{} of the tensor [kg·m²].",
                     along[i], along[j]
                 ),
             };
@@ -44,13 +43,13 @@ impl Writer<'_> {
         let [xy, xz, yz] = [(0, 1), (0, 2), (1, 2)].map(|(i, j)| entry(i, j));
         let zero = number(0.0);
         let mut fixed: Vec<String> =
-            body.fixed.iter().map(|&link| format!("`{}`", plan.robot.links[link].name)).collect();
+            body.fixed.iter().map(|&link| code(&plan.robot.links[link].name)).collect();
         if fixed.len() > 4 {
             fixed = vec![format!("{} links that are", fixed.len())];
         }
         let with =
             if fixed.is_empty() { String::new() } else { format!(" with {} fixed to it", fixed.join(", ")) };
-        self.out.line(4, &format!("/// The mass of `{link}`{with}."));
+        self.out.doc(4, &format!("The mass of {link}{with}."));
         let matrix = [[&xx, &xy, &xz], [&xy, &yy, &yz], [&xz, &yz, &zz]];
         if matrix.as_flattened().iter().all(|entry| **entry == zero) {
             self.out.line(4, &format!("#[body(mass = {mass}, inertia = [0.0, 0.0, 0.0])]"));
@@ -84,7 +83,7 @@ impl Writer<'_> {
         let plan = self.plan;
         let name = &plan.frames[body.link].name;
         let field = || format!("{name}_mass");
-        let doc = || format!("The mass of `{}`, in kg.", plan.robot.links[body.link].name);
+        let doc = || format!("The mass of {}, in kg.", code(&plan.robot.links[body.link].name));
         self.value(self.parameters.masses, body.inertial.mass, field, doc)
     }
 
@@ -98,7 +97,7 @@ impl Writer<'_> {
         }
         let doc = "Gravitational acceleration [m/s²].".to_owned();
         self.fields.insert(0, Field { name: "gravity".to_owned(), doc, value: size });
-        let up = scaled(-1.0 / size, plan.robot.gravity);
+        let up = unit(plan.robot.gravity).map_or([0.0; 3], |down| scaled(-1.0, down));
         let along = up.iter().position(|entry| *entry == 1.0);
         let terms: Vec<String> = heavy
             .iter()
@@ -118,7 +117,7 @@ impl Writer<'_> {
         if along.is_none() {
             self.height(up);
         }
-        self.out.line(4, "/// The potential of the weight.");
+        self.out.doc(4, "The potential of the weight.");
         self.out.line(4, "#[potential]");
         self.out.line(4, "pub fn weight(&self, q: &Coordinates) -> f64 {");
         weighted(&mut self.out, "self.gravity", &terms);
@@ -129,7 +128,7 @@ impl Writer<'_> {
     fn height(&mut self, up: [f64; 3]) {
         let terms: Vec<(f64, String)> =
             up.iter().zip(["x", "y", "z"]).map(|(&up, along)| (up, format!("place.{along}"))).collect();
-        self.out.line(4, "/// How high a place is, against the direction of gravity, in m.");
+        self.out.doc(4, "How high a place is, against the direction of gravity, in m.");
         self.out.line(4, "fn height(&self, place: &Translation3<f64>) -> f64 {");
         self.out.line(8, &super::text::sum(&terms));
         self.out.line(4, "}");

@@ -1,7 +1,7 @@
 //! A function for the frame of each link.
 
 use super::Writer;
-use super::text::{axis, grouped, number, shift, sum, turn};
+use super::text::{axis, code, grouped, number, shift, sum, turn};
 use crate::import::geometry::{Pose, Vector, add, cross, norm, scaled};
 use crate::import::motions::{Coordinate, Motion, Shape};
 use crate::import::robot::{Joint, Kind};
@@ -19,16 +19,17 @@ impl Writer<'_> {
 
     fn frame(&mut self, index: usize, joint: &Joint) {
         let frame = &self.plan.frames[joint.child];
-        let link = &self.plan.robot.links[joint.child].name;
+        let link = code(&self.plan.robot.links[joint.child].name);
+        let by = code(&joint.name);
         let doc = match joint.kind {
             Kind::Fixed if frame.moves => {
-                format!("`{link}`, fixed to `{}`.", self.plan.robot.links[joint.parent].name)
+                format!("{link}, fixed to {}.", code(&self.plan.robot.links[joint.parent].name))
             }
-            Kind::Fixed => format!("`{link}`, which stands still."),
-            Kind::Turns(_) => format!("`{link}`, turned by `{}`.", joint.name),
-            Kind::Slides(_) => format!("`{link}`, shifted by `{}`.", joint.name),
-            Kind::Free if joint.name.is_empty() => format!("`{link}`, which moves freely."),
-            Kind::Planar(_) | Kind::Ball | Kind::Free => format!("`{link}`, moved by `{}`.", joint.name),
+            Kind::Fixed => format!("{link}, which stands still."),
+            Kind::Turns(_) => format!("{link}, turned by {by}."),
+            Kind::Slides(_) => format!("{link}, shifted by {by}."),
+            Kind::Free if joint.name.is_empty() => format!("{link}, which moves freely."),
+            Kind::Planar(_) | Kind::Ball | Kind::Free => format!("{link}, moved by {by}."),
         };
         let name = format!("{}_frame", frame.name);
         let mut factors: Vec<String> = self.parent(joint.parent).into_iter().collect();
@@ -56,7 +57,7 @@ impl Writer<'_> {
         if matches!(joint.kind, Kind::Free | Kind::Ball) && self.plan.oriented(index).is_none() {
             self.orientation(index, joint);
         }
-        self.out.line(4, &format!("/// The frame of {doc}"));
+        self.out.doc(4, &format!("The frame of {doc}"));
         self.out.line(4, &format!("pub fn {name}(&self{argument}) -> IsometryMatrix3<f64> {{"));
         self.out.chain(8, "", '*', &factors, "");
         self.out.line(4, "}");
@@ -118,9 +119,9 @@ impl Writer<'_> {
         let Motion::Own(own) = &self.plan.motions[index] else { return };
         let angles: Vec<String> =
             own.iter().skip(own.len() - 3).map(|&own| self.coordinate(own, 'q')).collect();
-        let link = &self.plan.robot.links[joint.child].name;
+        let link = code(&self.plan.robot.links[joint.child].name);
         let name = self.orientation_name(joint);
-        self.out.line(4, &format!("/// The orientation of `{link}`: roll, pitch and yaw about fixed axes."));
+        self.out.doc(4, &format!("The orientation of {link}: roll, pitch and yaw about fixed axes."));
         self.out.line(4, &format!("pub fn {name}(&self, q: &Coordinates) -> Rotation3<f64> {{"));
         self.out.line(8, &format!("Rotation3::from_euler_angles({})", angles.join(", ")));
         self.out.line(4, "}");

@@ -8,7 +8,7 @@ mod text;
 use super::motions::{Coordinate, Motion, Shape};
 use super::plan::Plan;
 use super::{Options, Parameters};
-use text::{Lines, number, sum};
+use text::{Lines, code, number, sum};
 
 /// Writes a description.
 pub fn describe(plan: &Plan, options: &Options, file: &str) -> String {
@@ -81,9 +81,9 @@ impl Writer<'_> {
     fn head(&mut self, options: &Options, file: &str, body: &str) {
         let plan = self.plan;
         let file = file.rsplit(['/', '\\']).next().unwrap_or(file);
-        self.out.line(0, &format!("// Imported from `{file}` by `cargo lagrange import`."));
+        self.out.comment(0, &format!("Imported from {} by `cargo lagrange import`.", code(file)));
         for text in &plan.left_out {
-            self.out.line(0, &format!("// Left out: {text}."));
+            self.out.comment(0, &format!("Left out: {text}."));
         }
         self.out.empty();
         let constants: Vec<&str> = ["FRAC_PI_2", "FRAC_PI_3", "FRAC_PI_4", "FRAC_PI_6", "PI"]
@@ -100,10 +100,8 @@ impl Writer<'_> {
         }
         self.out.line(0, "use lagrangian::prelude::*;");
         self.out.empty();
-        self.out.line(
-            0,
-            &format!("/// The robot `{}`; `{}::default()` is the one of the file.", plan.title, plan.name),
-        );
+        let title = code(&plan.title);
+        self.out.doc(0, &format!("The robot {title}; `{}::default()` is the one of the file.", plan.name));
         self.out.line(0, "#[derive(Clone, Copy, Debug)]");
         let fields = std::mem::take(&mut self.fields);
         if self.parameters != Parameters::default() {
@@ -115,7 +113,7 @@ impl Writer<'_> {
         } else {
             self.out.line(0, &format!("pub struct {} {{", plan.name));
             for field in &fields {
-                self.out.line(4, &format!("/// {}", field.doc));
+                self.out.doc(4, &field.doc);
                 self.out.line(4, &format!("pub {}: f64,", field.name));
             }
             self.out.line(0, "}");

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI};
 use std::fmt::Display;
 
 use crate::import::geometry::{Angle, Rotation, Vector};
+use crate::import::report::one_line;
 
 /// The width of a line.
 pub const WIDTH: usize = 100;
@@ -20,6 +21,16 @@ impl Lines {
         self.text.push_str(&" ".repeat(indent));
         self.text.push_str(line);
         self.text.push('\n');
+    }
+
+    /// Adds a line of documentation.
+    pub fn doc(&mut self, indent: usize, text: &str) {
+        self.line(indent, &format!("/// {}", one_line(text)));
+    }
+
+    /// Adds a comment of one line.
+    pub fn comment(&mut self, indent: usize, text: &str) {
+        self.line(indent, &format!("// {}", one_line(text)));
     }
 
     /// Adds an empty line.
@@ -64,6 +75,11 @@ impl Lines {
     pub fn finish(&self) -> String {
         self.text.clone()
     }
+}
+
+/// A name of the file in documentation. A backtick would end the span that quotes it.
+pub fn code(name: &str) -> String {
+    format!("`{}`", name.replace('`', "'"))
 }
 
 /// A number that reads back as the same double.

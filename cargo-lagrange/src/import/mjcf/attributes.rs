@@ -7,7 +7,7 @@ use roxmltree::Node;
 
 use crate::import::Options;
 use crate::import::geometry::{
-    Angle, Matrix, Pose, Rotation, Vector, cross, direction, dot, norm, scaled, sub, transposed,
+    Angle, Matrix, Pose, Rotation, Vector, cross, direction, dot, moderate, norm, scaled, sub, transposed,
 };
 use crate::import::links;
 use crate::import::schema::mjcf::ACTUATORS;
@@ -170,7 +170,8 @@ impl<'a> Attributes<'a> {
     }
 
     fn angle(&self, reader: &mut Reader<'a>, node: Element<'a>, written: f64, options: &Options) -> Angle {
-        links::angle(reader, node, self.radians(written), options)
+        let [angle] = links::angles(reader, node, [self.radians(written)], options);
+        angle
     }
 
     /// The pose of a body, a geom or an inertia.
@@ -199,7 +200,7 @@ impl<'a> Attributes<'a> {
         };
         match form {
             "quat" => {
-                let [w, x, y, z] = reader.vector(node, form)?;
+                let [w, x, y, z] = moderate(reader.vector(node, form)?);
                 let size = w * w + x * x + y * y + z * z;
                 if size == 0.0 {
                     let text = "the quaternion is zero; write quat=\"1 0 0 0\" for no turn";
@@ -246,6 +247,7 @@ impl<'a> Attributes<'a> {
         angles: [f64; 3],
         options: &Options,
     ) -> Rotation {
+        let angles = links::angles(reader, node, angles.map(|written| self.radians(written)), options);
         let [a, b, c] = angles;
         let as_in_urdf = match &*self.sequence {
             "XYZ" => Some([a, b, c]),
@@ -253,13 +255,13 @@ impl<'a> Attributes<'a> {
             _ => None,
         };
         if let Some(angles) = as_in_urdf {
-            return Rotation::of_angles(angles.map(|angle| self.angle(reader, node, angle, options)));
+            return Rotation::of_angles(angles);
         }
         let mut whole = Rotation::IDENTITY;
-        for (letter, written) in self.sequence.chars().zip(angles) {
+        for (letter, angle) in self.sequence.chars().zip(angles) {
             let mut axis = [0.0; 3];
             axis["xyz".find(letter.to_ascii_lowercase()).unwrap_or(0)] = 1.0;
-            let turn = Rotation::about(axis, self.angle(reader, node, written, options));
+            let turn = Rotation::about(axis, angle);
             whole = if letter.is_ascii_lowercase() { whole.after(&turn) } else { turn.after(&whole) };
         }
         whole

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::attributes::{Attributes, Element, lifted};
 use crate::import::Options;
-use crate::import::geometry::{Pose, Rotation, Vector, add, norm, scaled, sub};
+use crate::import::geometry::{Pose, Rotation, Vector, add, norm, scaled, sub, unit};
 use crate::import::inertia::Inertial;
 use crate::import::xml::Reader;
 
@@ -94,14 +94,14 @@ fn placed<'a>(
         (Some([a, b, c, d, e, f]), Some(last)) => {
             let along = sub([a, b, c], [d, e, f]);
             let length = norm(along);
-            if length == 0.0 {
+            let Some(axis) = unit(along) else {
                 reader.problem_of(node, "fromto", "the two points are one; write two that differ");
                 return None;
-            }
+            };
             // The first size serves both directions across, even where there are more.
             let across = size.first().copied();
             size = across.into_iter().cycle().take(last).chain([0.5 * length]).collect();
-            let turn = Rotation::of_matrix(lifted(scaled(1.0 / length, along)), options.tolerance);
+            let turn = Rotation::of_matrix(lifted(axis), options.tolerance);
             Pose { shift: scaled(0.5, add([a, b, c], [d, e, f])), turn }
         }
         _ => attributes.pose(reader, node, options),

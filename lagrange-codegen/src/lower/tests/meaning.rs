@@ -230,7 +230,7 @@ fn constants_and_branches() {
         "the length of `self.masses` is not known to the macro; write `let masses: [f64; 3] = self.masses;`",
     );
     body(quote!(self.masses.iter().sum()), "the length of `self.masses` is not known to the macro; ");
-    body(quote!(self.masses.len() as f64), "the length of `self.masses` is not known to the macro; ");
+    body(quote!(self.masses.len()), "the length of `self.masses` is not known to the macro; ");
     body(quote!(for m in q.x {} q.x), "cannot loop over a scalar; ");
     body(quote!(q.theta[3]), "the index 3 is out of range; valid are 0 to 2");
     body(quote!(self.m[0 - 1] * q.x), "the index -1 is negative; ");
