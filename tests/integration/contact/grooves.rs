@@ -133,7 +133,8 @@ fn wobbling(number: usize, sample: &mut Samples) -> (Groove, State<f64, 6>) {
     let mut start = groove.start();
     start.q[3..].copy_from_slice(&[0.3, 0.2, -0.4].map(|a: f64| a * sample.number(-1.0, 1.0)));
     let spin = sample.number(-8.0, 8.0);
-    start.v[1] = -spin * groove.radius + if number.is_multiple_of(2) { 0.0 } else { sample.number(-0.5, 0.5) };
+    start.v[1] =
+        -spin * groove.radius + if number.is_multiple_of(2) { 0.0 } else { sample.number(-0.5, 0.5) };
     let [sb, cb] = [start.q[4].sin(), start.q[4].cos()];
     let [sa, ca] = [start.q[3].sin(), start.q[3].cos()];
     // Rates of the angles for the angular velocity (spin, 0, spin).
