@@ -9,6 +9,7 @@ use super::Grown;
 use super::load::Load;
 use crate::number::elements::Each;
 use crate::number::real::{Ordered, Real};
+use crate::system::state::State;
 
 /// How far a motion has strayed from the equations.
 pub(super) struct Strays<R> {
@@ -42,6 +43,10 @@ where
         } else {
             self.beside_slips(grown, &state, grown.way.accelerations)?
         };
+        let disturbed = {
+            let State { t, q, v } = &Self::disturbed(&state);
+            S::equations_in(&in_regime, *t, q, v, self.inputs)?.balance().accelerations
+        };
         let known = Known::settled(self.is_closed);
         let scene = Scene::new(self.system, &state, self.inputs, self.kinks, scales, &known);
         let mut strays = Strays { error: zero, known: number(f64::INFINITY) };
@@ -50,17 +55,20 @@ where
             let slip = x.hypot(y);
             let along = |rate: &dyn Fn(usize) -> S::Scalar| (x * rate(rows[0]) + y * rate(rows[1])) / slip;
             let lacks = along(&|row| scene.rate(row, &found)) - along(&|row| entry(&end.rates, row));
+            let noise = along(&|row| scene.rate(row, &disturbed) - scene.rate(row, &found)).abs();
             let speed = scene.scale_of(rows);
             let ulps = number(LAUNCHED) * S::Scalar::epsilon();
-            // Roundings of the accelerations are no error that a shorter time could mend. What grows like t³
-            // is a quarter of its end in the mean.
+            // Roundings of the accelerations are no error that a shorter time could mend, nor are those of
+            // the velocities, which turn a slow slip: friction turns it back at once. What grows like t³ is a
+            // quarter of its end in the mean.
             let strength = entry(&end.sizes, rows[0]);
-            let lacks = most(lacks.abs() - rounding::<S::Scalar>() * strength, zero);
+            let lacks = most(lacks.abs() - noise - rounding::<S::Scalar>() * strength, zero);
             let error = number(0.25) * grown.later * lacks;
             // Numbers alone: times that follow from them have no variation.
             let error = error / (most(scales.relative, ulps) * speed);
             let [lacks, whole] = self.all_stray(rows, [&beside, &grown.way.accelerations], &state.v);
-            let lacks = most(lacks - rounding::<S::Scalar>() * strength, zero);
+            let [noise, _] = self.all_stray(rows, [&disturbed, &found], &state.v);
+            let lacks = most(lacks - noise - rounding::<S::Scalar>() * strength, zero);
             // A body that was at rest has the velocity that forces could give it.
             let whole = most(scales.relative, ulps) * most(whole, grown.later * strength);
             let all = number(0.25) * grown.later * lacks / whole;
@@ -70,6 +78,18 @@ where
             strays.known = if above(strays.known, known) { known } else { strays.known };
         }
         strays.error.is_finite().then_some(strays)
+    }
+
+    /// A state with velocities that are as wrong as they may be, each in another direction than the one
+    /// before.
+    fn disturbed(state: &State<S::Scalar, N>) -> State<S::Scalar, N> {
+        let mut error = S::Scalar::from_f64(LAUNCHED) * S::Scalar::epsilon();
+        let mut disturbed = *state;
+        for v in &mut disturbed.v {
+            *v += error * *v;
+            error = -error;
+        }
+        disturbed
     }
 
     /// The sizes of the difference of two accelerations and of the velocities `v`, as those of the largest
