@@ -45,7 +45,8 @@ pub fn run(arguments: &NewArguments) -> Result<(), String> {
     let name = arguments.name.as_deref().map(OsStr::new).or_else(|| path.file_name());
     if name.is_some_and(|name| name == LIBRARY) {
         return Err(format!(
-            "error: a package named `{LIBRARY}` cannot depend on the crate of that name; give it another one with --name"
+            "error: a package named `{LIBRARY}` cannot depend on the crate of that name; give it another one \
+             with --name"
         ));
     }
     let mut new = cargo();

@@ -56,8 +56,8 @@ pub fn check_inertia(
         Flaw::Negative(moment) => Some(Doubtful { mark: reader.mark(node), moment }),
         Flaw::Triangle(excess) => {
             let text = format!(
-                "the largest principal moment of inertia exceeds the sum of the two others by {:.2} %, which no body's \
-                 does; it is taken as it is",
+                "the largest principal moment of inertia exceeds the sum of the two others by {:.2} %, \
+                 which no body's does; it is taken as it is",
                 100.0 * excess
             );
             reader.warning(node, text);

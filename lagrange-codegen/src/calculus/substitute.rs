@@ -5,6 +5,9 @@ use crate::number::Number;
 
 /// The roots with every node of `replacements` replaced.
 pub fn substitute(graph: &mut Graph, roots: &[NodeId], replacements: &[(NodeId, NodeId)]) -> Vec<NodeId> {
+    if replacements.is_empty() {
+        return roots.to_vec();
+    }
     let mut images: Vec<Option<NodeId>> = vec![None; graph.len()];
     for &(node, image) in replacements {
         images[node.index()] = Some(image);

@@ -28,11 +28,7 @@ pub fn untie(model: &mut Model) {
         if kinked(graph, id).is_none() {
             continue;
         }
-        // A substitution takes time for all nodes, and large systems have thousands of absolute values.
-        let argument = match &replacements[..] {
-            [] => argument,
-            replacements => substitute(graph, &[argument], replacements)[0],
-        };
+        let argument = substitute(graph, &[argument], &replacements)[0];
         let image = match may_tie(graph, argument, &mut { MOST }) {
             Some(true) => asked_apart(graph, function, argument),
             Some(false) | None => graph.unary(function, argument),

@@ -192,15 +192,9 @@ where
     ) -> Result<Soon<S::Scalar, N, C, W>, Not<S::Scalar, C, W>> {
         let number = S::Scalar::from_f64;
         let zero: S::Scalar = num_traits::Zero::zero();
-        let [least, mut later] = self.grows(regime, a, scales)?;
+        let [least, later] = self.grows(regime, a, scales)?;
         if !is_shared {
-            // A load that grows no longer has grown evenly before.
-            loop {
-                match self.grown_by(regime, a, scales, later) {
-                    Err(Not::Grown) if above(later, least) => later *= number(0.5),
-                    grown => return Ok((grown?, zero)),
-                }
-            }
+            return Ok((self.grown_within(regime, a, scales, [least, later])?, zero));
         }
         let end = self.load_at(regime, a, scales, later)?;
         let middle = self.load_at(regime, a, scales, later * number(0.5))?;
@@ -306,7 +300,6 @@ where
         a: &[S::Scalar; N],
         scales: &Scales<S::Scalar, C>,
     ) -> Option<Grown<S::Scalar, N, C, W>> {
-        let number = S::Scalar::from_f64;
         let (mut later, mut last) = (self.instant(), None);
         for _ in 0..TRIES {
             match self.load_at(regime, a, scales, later) {
@@ -314,17 +307,26 @@ where
                 Err(Not::Alone(_)) => break,
                 Err(_) => {}
             }
-            later *= number(2.0);
+            later *= S::Scalar::from_f64(2.0);
         }
-        let mut later = last?;
-        while above(later, self.instant()) {
+        self.grown_within(regime, a, scales, [self.instant(), last?]).ok()
+    }
+
+    /// The motion after the longest time between two that is found. A load that grows no longer has grown
+    /// evenly before.
+    fn grown_within(
+        &self,
+        regime: Regime<S::Scalar, C, W>,
+        a: &[S::Scalar; N],
+        scales: &Scales<S::Scalar, C>,
+        [least, mut later]: [S::Scalar; 2],
+    ) -> Result<Grown<S::Scalar, N, C, W>, Not<S::Scalar, C, W>> {
+        loop {
             match self.grown_by(regime, a, scales, later) {
-                Ok(grown) => return Some(grown),
-                Err(Not::Strays) => break,
-                Err(_) => later *= number(0.5),
+                Err(Not::Grown) if above(later, least) => later *= S::Scalar::from_f64(0.5),
+                grown => return grown,
             }
         }
-        None
     }
 
     /// A time that rounding hardly resolves \[s].
@@ -355,8 +357,10 @@ where
             let grown =
                 if S::Scalar::PARTS > 1 { grown } else { self.corrected(&grown).ok_or(Not::Grown)? };
             let strays = self.strays(&grown, &end, scales).ok_or(Not::Grown)?;
-            // The slip grows like t², and what it does to its own load like t⁴.
-            let factor = number(0.9) / strays.error.part(0).sqrt().sqrt();
+            // The slip grows like t², and what it does to its own load like t⁴. An error of a time that is
+            // much too long tells nothing of a short one.
+            let quartic = number(0.9) / strays.error.part(0).sqrt().sqrt();
+            let factor = most(quartic, number(1.0 / FACTOR));
             let is_fast = above(strays.known.part(0) * factor * factor, number(1.0));
             if !above(strays.error, number(1.0)) || !is_fast {
                 return Ok(grown);
@@ -366,7 +370,6 @@ where
             if above(strays.error, largest) {
                 return Err(Not::Strays);
             }
-            let factor = most(factor, number(1.0 / FACTOR));
             (later, largest) = (later * factor, strays.error * factor * factor.sqrt());
         }
         Err(Not::Grown)

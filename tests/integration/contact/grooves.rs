@@ -143,16 +143,20 @@ fn wobbling(number: usize, sample: &mut Samples) -> (Groove, State<f64, 6>) {
     (groove, start)
 }
 
-/// Follows one at two tolerances.
-fn wobble(number: usize, groove: &Groove, start: State<f64, 6>, tolerances: [f64; 2]) {
-    let ends = tolerances.map(|tolerance| {
+/// Follows one at tolerances, the last of which is the finest.
+fn wobble(number: usize, groove: &Groove, start: State<f64, 6>, tolerances: &[f64]) {
+    let end = |tolerance: f64| {
         let mut motion = groove.simulate(start).with_tolerance(tolerance);
         *motion.advance_to(0.35).unwrap_or_else(|error| panic!("{number}: {error}"))
-    });
-    for (own, other) in ends[0].q.iter().zip(&ends[1].q) {
-        assert!((own - other).abs() < 1e-5, "{number}: {own} and {other}");
+    };
+    let (finest, others) = tolerances.split_last().unwrap();
+    let best = end(*finest);
+    for &tolerance in others {
+        for (own, other) in end(tolerance).q.iter().zip(&best.q) {
+            assert!((own - other).abs() < 1e3 * tolerance, "{number}, {tolerance:e}: {own} and {other}");
+        }
     }
-    assert!(ends[1].q[2] - groove.radius > -TIGHT && -ends[1].q[0] - groove.radius > -TIGHT, "{number}");
+    assert!(best.q[2] - groove.radius > -TIGHT && -best.q[0] - groove.radius > -TIGHT, "{number}");
 }
 
 /// 300 of them wobble in the groove, slip, stick, and leave the wall.
@@ -162,7 +166,7 @@ fn balls_that_wobble_in_a_groove_go_on() {
     let mut sample = Samples::new(31);
     for number in 0..300 {
         let (groove, start) = wobbling(number, &mut sample);
-        wobble(number, &groove, start, [1e-8, 1e-11]);
+        wobble(number, &groove, start, &[1e-5, 1e-6, 1e-7, 1e-8, 1e-11]);
     }
 }
 
@@ -172,12 +176,15 @@ fn numbered(number: usize) -> (Groove, State<f64, 6>) {
     (0..=number).map(|number| wobbling(number, &mut sample)).last().unwrap()
 }
 
-/// Of this one a motion that had run away 28 s ahead looked like a slip that a growing load begins: in the
-/// rounding errors of its forces all others vanished.
+/// Of these a motion that had run away long ahead, 28 s or 11 hours, passed for a slip that a growing load
+/// begins: the rounding errors of its own forces hid all others, or no shorter time seemed long enough for a
+/// slip.
 #[test]
-fn a_ball_that_begins_to_slip_does_not_run_away() {
-    let (groove, start) = numbered(69);
-    wobble(69, &groove, start, [1e-8, 1e-9]);
+fn balls_that_begin_to_slip_do_not_run_away() {
+    for (number, tolerance) in [(69, 1e-8), (145, 1e-5), (148, 1e-6), (150, 1e-5), (224, 1e-7)] {
+        let (groove, start) = numbered(number);
+        wobble(number, &groove, start, &[tolerance, 1e-9]);
+    }
 }
 
 /// Rounding errors of velocities turn a slip that is so slow. They are no reason for a slower one, which

@@ -22,8 +22,8 @@ pub(super) fn items(emission: &mut Emission<'_>) -> String {
     let names: Vec<String> = lumped.iter().map(|&node| equations::expression(emission.model, node)).collect();
     let mut text = constant(
         "REGRESSOR",
-        "Lumped parameters π in which the equations are linear, M a + b = Y π; those that identification can tell apart at most. \
-         `1` stands for what no parameter multiplies.",
+        "Lumped parameters π in which the equations are linear, M a + b = Y π; those that identification can \
+         tell apart at most. `1` stands for what no parameter multiplies.",
         &names,
     );
     let scalar = emission.scalar.clone();
@@ -47,8 +47,8 @@ pub(super) fn items(emission: &mut Emission<'_>) -> String {
     });
     text.push_str("#[allow(unused_variables)]\n");
     text.push_str(&method(
-        "Regressor Y(q, v, a, t) with Y π = M a + b: a row for each coordinate, a column for each lumped parameter. It has \
-         inertia and what a potential or Lagrangian gives; damping and `#[force]` functions are not in it.",
+        "Regressor Y(q, v, a, t) with Y π = M a + b: a row for each coordinate, a column for each lumped \
+         parameter. It has inertia and what a potential or Lagrangian gives; damping and `#[force]` functions are not in it.",
         &signature,
         &body,
     ));
