@@ -184,6 +184,19 @@ pub(crate) type Factors<S, const N: usize, const K: usize, const C: usize> = (
     <<S as Surface<N, K, C>>::Saddle as SaddlePoint<<S as System<N, K>>::Scalar, N, C>>::Gradients,
 );
 
+/// [`Surface::saddle_at`] where it is rarely asked for: one copy in a program, instead of one in each caller.
+#[cold]
+#[inline(never)]
+fn factors<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+) -> Factors<S, N, K, C>
+where
+    S: Surface<N, K, C>,
+{
+    system.saddle_at(state.t, &state.q, &state.v)
+}
+
 /// The largest entry of an array, and where it is.
 fn worst<R: Real, const C: usize>(values: impl Fn(usize) -> R::Lane) -> (usize, R::Lane) {
     let mut worst = (0, num_traits::Zero::zero());

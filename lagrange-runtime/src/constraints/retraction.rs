@@ -88,6 +88,8 @@ impl<S, const N: usize, const K: usize, const C: usize> Retraction<S, N, K, C>
 where
     S: Surface<N, K, C>,
 {
+    /// With factors made here. One copy serves all callers: it is a tenth of a small program.
+    #[inline(never)]
     pub(crate) fn new(system: &S, state: &State<S::Scalar, N>, residuals: Residuals<S::Scalar, C>) -> Self {
         Self::with(state, residuals, system.saddle_at(state.t, &state.q, &state.v))
     }
@@ -122,10 +124,10 @@ where
     }
 
     /// Replaces the factors. They may or may not be those of the state itself.
-    fn take(&mut self, (saddle, gradients): Factors<S, N, K, C>, is_fresh: bool) {
+    #[inline]
+    fn take(&mut self, Self { saddle, gradients, metric, slopes, .. }: Self, is_fresh: bool) {
         (self.saddle, self.gradients, self.is_fresh) = (saddle, gradients, is_fresh);
-        self.metric = Metric::of(&self.saddle);
-        self.slopes = self.metric.slopes(&self.gradients);
+        (self.metric, self.slopes) = (metric, slopes);
     }
 
     /// Newton's corrections of one level.
@@ -286,7 +288,7 @@ where
         let near = moved(&self.state, &change, &none, num_traits::One::one());
         let (saddle, gradients) = system.saddle_at(near.t, &near.q, &near.v);
         if saddle.rank() < self.saddle.rank() && saddle.defect().is_none() {
-            self.take((saddle, gradients), false);
+            self.take(Self::with(&self.state, self.residuals, (saddle, gradients)), false);
         }
     }
 
@@ -369,7 +371,7 @@ where
     #[inline(never)]
     pub(super) fn refresh(&mut self, system: &S) {
         if !self.is_fresh {
-            self.take(system.saddle_at(self.state.t, &self.state.q, &self.state.v), true);
+            self.take(Self::new(system, &self.state, self.residuals), true);
         }
     }
 }

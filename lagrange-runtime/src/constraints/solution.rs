@@ -3,7 +3,7 @@
 use nalgebra::SMatrix;
 use num_traits::{One, Zero};
 
-use super::{Balance, Surface, sound, stages};
+use super::{Balance, Surface, factors, sound, stages};
 use crate::linear::{Defect, Gradients, Independence, SaddlePoint};
 use crate::number::elements::Each;
 use crate::number::real::Real;
@@ -93,7 +93,7 @@ where
     let size = state.q.iter().fold(S::Scalar::zero(), |most, q| most.max(q.abs()));
     let way = if size.is_positive() { S::Scalar::epsilon().sqrt() * size } else { S::Scalar::one() };
     let beside = state.q.each(|q| q + way);
-    let there = system.saddle_at(state.t, &beside, &state.v).1.rows();
+    let there = factors(system, &State { q: beside, ..*state }).1.rows();
     gradients.rows().iter().zip(&there).position(|(here, there)| !has_value(here) && has_value(there))
 }
 
@@ -111,7 +111,8 @@ pub fn check<S, const N: usize, const K: usize, const C: usize>(
 where
     S: Surface<N, K, C>,
 {
-    let (state, factors) = (State { t, q: *q, v: *v }, system.saddle_at(t, q, v));
+    let state = State { t, q: *q, v: *v };
+    let factors = factors(system, &state);
     regular_at(system, &state, (&factors.0, &factors.1))?;
     // One row depends on no other.
     if C == 1 {

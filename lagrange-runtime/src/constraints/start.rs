@@ -3,7 +3,7 @@
 use super::residuals::{Level, ULPS};
 use super::retraction::{From, Retraction, project, slopes};
 use super::solution::regular_at;
-use super::{Metric, Residuals, Surface};
+use super::{Metric, Residuals, Surface, factors};
 use crate::linear::SaddlePoint;
 use crate::number::elements::Each;
 use crate::number::real::Real;
@@ -41,7 +41,8 @@ where
     let last_digits = last_digits(system, start, &residuals);
     let ulps = S::Scalar::from_f64(ULPS) * S::Scalar::epsilon();
     let is_off = |level| !residuals.is_within_apart(level, ulps, last_digits.sizes(level));
-    let levels = [Level::Positions, Level::Velocities].each(|level| (level, is_off(level)));
+    let levels =
+        [(Level::Positions, is_off(Level::Positions)), (Level::Velocities, is_off(Level::Velocities))];
     for (level, is_off) in levels {
         if is_off {
             // Where no state satisfies all constraints, another start does not help.
@@ -108,7 +109,7 @@ where
     let found = if all || !state.is_finite() {
         contradiction(system, state)
     } else {
-        let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
+        let (saddle, gradients) = factors(system, state);
         Err(regular_at(system, state, (&saddle, &gradients)).err().unwrap_or(Cause::NotFinite))
     };
     found.map_err(|cause| MotionError { cause, t: state.t })
