@@ -237,3 +237,29 @@ where
     }
     Ok(retraction.state)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linear::Saddle;
+
+    /// The check of a start at x = 1 with this z, under the constraint z = 0, where x has this mass.
+    fn check_of(mass: f64, z: f64) -> Result<(), Cause> {
+        let rows = [[0.0, 1.0]];
+        let saddle = Saddle::factor(&[[mass, 0.0], [0.0, 1.0]], &rows);
+        let (metric, state) = (Metric::of(&saddle), State::new([1.0, z], [0.0; 2]));
+        let residuals =
+            Residuals { positions: [z], position_sizes: [z.abs()], rates: [0.0], rate_sizes: [0.0] };
+        check_near(&saddle, (&metric, &metric.slopes(&rows)), &state, &residuals, Level::Positions)
+    }
+
+    #[test]
+    fn a_start_may_violate_constraints_in_its_last_digits() {
+        let share = SHARE * f64::EPSILON.sqrt();
+        assert!(check_of(1.0, 0.9 * share).is_ok() && check_of(1.0, 1.1 * share).is_err());
+        // A heavy body does not hide that a light one is off.
+        assert!(check_of(1e12, 0.9 * share).is_ok() && check_of(1e12, 1.1 * share).is_err());
+        // Nor is a light body measured by itself, in its own metric.
+        assert!(check_of(1e-12, 0.9e-6 * share).is_ok() && check_of(1e-12, 1.1e-6 * share).is_err());
+    }
+}

@@ -105,3 +105,79 @@ impl<R: Real, const N: usize> Agreement<'_, R, N> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ULP: f64 = f64::EPSILON;
+
+    /// Whether accelerations that differ by this count as a fault, in a step of half a second at 1e-6.
+    fn is_fault(v: f64, strongest: f64, absolute: f64, apart: f64) -> bool {
+        let start = State::new([0.0], [v]);
+        let agreement = Agreement { start: &start, span: 0.5, tolerances: [1e-6, absolute] };
+        let mut strongest = [strongest];
+        let fault = agreement.faults(&start, [&[0.0], &[apart]], &mut strongest);
+        assert!(fault == 0.0 || fault == 1.0);
+        fault == 1.0
+    }
+
+    #[test]
+    fn accelerations_may_change_the_velocity_by_some_tolerances() {
+        // Sixteen of them, of a velocity of 2.
+        let bound = 16.0 * 1e-6 * 2.0 / 0.5;
+        assert!(!is_fault(2.0, 0.0, 0.0, 0.99 * bound) && is_fault(2.0, 0.0, 0.0, 1.01 * bound));
+        assert!(is_fault(2.0, 0.0, 0.0, f64::NAN) && is_fault(2.0, 0.0, 0.0, f64::INFINITY));
+        // An absolute tolerance adds to that.
+        assert!(!is_fault(2.0, 0.0, bound, 2.9 * bound) && is_fault(2.0, 0.0, bound, 3.1 * bound));
+    }
+
+    #[test]
+    fn roundings_of_the_strongest_accelerations_are_no_fault() {
+        // A fault is at least as large as a part of the change that it makes itself.
+        let bound = 256.0 * ULP * 1e12;
+        assert!(!is_fault(0.0, 1e12, 0.0, 0.99 * bound) && is_fault(0.0, 1e12, 0.0, 1.01 * bound));
+    }
+
+    #[test]
+    fn derivatives_are_held_against_their_column() {
+        use crate::number::real::Dual;
+
+        type Number = Dual<f64, 1>;
+        let number =
+            |value, slope| Number::constant(value) + Number::variable(0.0, 0) * Number::constant(slope);
+        // A velocity whose derivative is nothing beside those of the other velocity, and of the coordinates.
+        for (speed, place, size) in [(1e3, 0.0, 1e3), (0.0, 1e3, 2e3)] {
+            let start = State::new([number(1.0, place); 2], [number(1.0, 0.0), number(1.0, speed)]);
+            let tolerances = [Number::from_f64(1e-10), Number::from_f64(1.0)];
+            let agreement = Agreement { start: &start, span: Number::from_f64(0.5), tolerances };
+            let fault = |apart: f64| {
+                let pair = [&[number(0.0, 0.0); 2], &[number(0.0, apart), number(0.0, 0.0)]];
+                agreement.faults(&start, pair, &mut [Number::from_f64(0.0); 2]).part(0).largest() > 0.0
+            };
+            // An absolute tolerance belongs to the values alone.
+            let bound = 256.0 * ULP * size / 0.5;
+            assert!(!fault(0.9 * bound) && fault(1.1 * bound), "{speed} {place}");
+        }
+    }
+
+    #[test]
+    fn roundings_that_equations_show_count_as_strong_accelerations() {
+        let state = State::new([1.0], [0.0]);
+        // The equations and the series differ by this at the state itself.
+        let mut strongest = [0.0];
+        roundings(&state, [&[0.0], &[1e-9]], |_| [0.0], &mut strongest);
+        let expected = 1e-9 * 8.0 / 256.0 / ULP;
+        assert!((strongest[0] / expected - 1.0).abs() < 1e-12, "{strongest:?}");
+        // A steep force changes by more within some ulps of the state, and is strong further away.
+        let mut strongest = [0.0];
+        let steep = |x: f64| 1e6 * x * (1.0 + 1e3 * x * x);
+        roundings(&state, [&[0.0], &[0.0]], |state| [steep(state.q[0] - 1.0)], &mut strongest);
+        let expected = 1e6 * 8.0 * 8.0 / 256.0;
+        assert!((strongest[0] / expected - 1.0).abs() < 1e-6, "{strongest:?}");
+        // A jump is no stronger than what lies on its other side.
+        let mut strongest = [0.0];
+        roundings(&state, [&[0.0], &[0.0]], |state| [f64::from(u8::from(state.q[0] > 1.0))], &mut strongest);
+        assert_eq!(strongest, [1.0]);
+    }
+}

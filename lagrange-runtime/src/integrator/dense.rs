@@ -143,3 +143,24 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         Ok(dense)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slopes_are_the_derivatives_of_the_velocities() {
+        let coefficients = array(|i| Slope { q: [0.0], v: [[0.7, -1.3, 2.1, 0.4, -0.9, 1.7, -0.6][i]] });
+        let dense = Dense { coefficients };
+        let v = |part: f64| dense.at(&State::new([0.0], [0.3]), 1.0, part).v[0];
+        for part in [0.0, 0.2, 0.5, 0.9, 1.0] {
+            // Of a polynomial of degree seven, exact up to rounding.
+            let h = 0.125;
+            let difference = |k: f64| (v(part + k * h) - v(part - k * h)) / (2.0 * k * h);
+            let expected = 1.6 * difference(1.0) - 0.8 * difference(2.0) + 8.0 / 35.0 * difference(3.0)
+                - difference(4.0) / 35.0;
+            let [found] = dense.slopes(part);
+            assert!((found - expected).abs() < 1e-11, "{part}: {found} {expected}");
+        }
+    }
+}

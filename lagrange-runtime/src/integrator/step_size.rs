@@ -71,4 +71,9 @@ mod tests {
         assert!((factor(0.0_f64) - 6.0).abs() < 1e-14);
         assert!((factor(1e30_f64) - 1.0 / 3.0).abs() < 1e-15);
     }
+
+    #[test]
+    fn lengths_that_time_does_not_resolve_are_below() {
+        assert!(is_below(1.0, 1.0) && is_below(0.5, 1.0) && is_below(f64::NAN, 1.0) && !is_below(2.0, 1.0));
+    }
 }

@@ -167,4 +167,30 @@ mod tests {
             assert!(residual(&m, &x, &b) < 1e-13, "{unit:e}: {x:?}");
         }
     }
+
+    #[test]
+    fn directions_of_rounding_errors_are_left_alone() {
+        let bound = 64.0 * 2.0 * f64::EPSILON;
+        for (share, is_solved) in [(1.1, true), (0.9, false)] {
+            let values = SingularValues::new(&[[3.0, 0.0], [0.0, 3.0 * share * bound]]);
+            let [x, y] = values.solve(&[6.0, 1.0], 0.0);
+            assert_eq!((x, y != 0.0), (2.0, is_solved), "{share}");
+            assert_eq!(values.remainder(&[6.0, 1.0]) < 0.5, is_solved, "{share}");
+        }
+    }
+
+    #[test]
+    fn what_no_solution_reaches_remains() {
+        let values = SingularValues::new(&[[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 2.0]]);
+        // The part across (1, 1).
+        assert!((values.remainder(&[1.0, 4.0, 7.0]) - 4.5).abs() < 1e-14);
+        assert!(values.remainder(&[2.0, 2.0, 7.0]) < 1e-28);
+    }
+
+    #[test]
+    fn damping_shortens_the_solution() {
+        let values = SingularValues::new(&[[2.0, 0.0], [0.0, 1.0]]);
+        let [x, y] = values.solve(&[3.0, 5.0], 0.5);
+        assert!((x - 3.0 * 2.0 / 4.5).abs() < 1e-15 && (y - 5.0 / 1.5).abs() < 1e-15);
+    }
 }

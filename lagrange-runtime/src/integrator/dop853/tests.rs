@@ -153,3 +153,45 @@ fn the_error_of_motions_side_by_side_is_that_of_one() {
     let [Ok(single), Ok(both)] = errors else { panic!("{errors:?}") };
     assert!(single > 0.0 && (both / single - 1.0).abs() < 1e-14, "{single} {both}");
 }
+
+/// A constant acceleration up to a time, from which on nothing has a value; notes where a cause is asked for.
+struct Until {
+    time: f64,
+    asked: core::cell::Cell<Option<State<f64, 1>>>,
+}
+
+impl Field<f64, 1> for Until {
+    fn accelerations(&self, t: f64, _: &[f64; 1], _: &[f64; 1]) -> [f64; 1] {
+        [if t < self.time { -3.0 } else { f64::NAN }]
+    }
+
+    fn cause(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> Cause {
+        self.asked.set(Some(State { t, q: *q, v: *v }));
+        Cause::NotFinite
+    }
+}
+
+#[test]
+fn the_cause_of_a_failure_is_asked_for_at_the_stage_that_failed() {
+    let until = Until { time: 2.4, asked: core::cell::Cell::new(None) };
+    let start = State::new([1.0], [2.0]).at_time(2.0);
+    let mut motion = Dop853Memory::new(start);
+    (motion.start, motion.slopes[0]) = (motion.end, motion.slope_at_end(&until).unwrap());
+    let _ = motion.attempt(&until, &loose(), 0.5, &mut none());
+    assert_eq!(motion.failed_stage(&until, 0.5), Cause::NotFinite);
+    let State { t, q, v } = until.asked.get().unwrap();
+    let way = t - start.t;
+    assert!(t >= 2.4 && (v[0] - (2.0 - 3.0 * way)).abs() < 1e-13, "{t} {v:?}");
+    assert!((q[0] - (1.0 + 2.0 * way - 1.5 * way * way)).abs() < 1e-13, "{t} {q:?}");
+}
+
+#[test]
+fn the_first_probe_takes_a_part_of_a_time_of_the_state() {
+    let probe = |q, v, a| first::probe(&State::new([q], [v]), &Slope { q: [v], v: [a] });
+    // √(‖q‖/‖a‖), else ‖v‖/‖a‖, else ‖q‖/‖v‖.
+    for (q, v, a, time) in [(8.0, 3.0, 2.0, 2.0), (0.0, 3.0, 12.0, 0.25), (6.0, 3.0, 0.0, 2.0)] {
+        let found: f64 = probe(q, v, a);
+        assert!((found - 0.01 * time).abs() < 1e-16, "{q} {v} {a}: {found}");
+    }
+    assert_eq!(probe(1.0, 0.0, 0.0), 1e-6);
+}

@@ -162,3 +162,68 @@ fn changes<R: Ordered, F: Field<R, N>, const N: usize>(
     }
     most
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::system::error::Cause;
+
+    /// Accelerations as a function of time and the coordinate.
+    struct Law<A>(A);
+
+    impl<A: Fn(f64, f64) -> f64> Field<f64, 1> for Law<A> {
+        fn accelerations(&self, t: f64, q: &[f64; 1], _: &[f64; 1]) -> [f64; 1] {
+            [(self.0)(t, q[0])]
+        }
+
+        fn cause(&self, _: f64, _: &[f64; 1], _: &[f64; 1]) -> Cause {
+            Cause::NotFinite
+        }
+    }
+
+    /// What errors of velocities, over the step, are unavoidable in a step of `h`, where those of a first
+    /// attempt of one second were 2.
+    fn unavoidable(law: impl Fn(f64, f64) -> f64, h: f64, error: f64) -> [f64; 2] {
+        let [from, to] = [0.0, h].map(|t| State::new([1.0], [0.0]).at_time(t));
+        let slope = Slope { q: from.v, v: [law(0.0, 1.0)] };
+        let estimate = Slope { q: [0.0], v: [error] };
+        let tried = Tried { from: &from, to: &to, slope: &slope, h, estimates: [&estimate, &estimate] };
+        let attempts = Attempts { refused: Some((1.0, [2.0])), range: 0.0, relative: 1e-6 };
+        attempts.unavoidable(&Law(law), &tried).map(|[x]| x)
+    }
+
+    #[test]
+    fn bounds_hold_for_accelerations_of_any_sign() {
+        let [q, v] = bounds();
+        assert!((v - E5.iter().map(|weight| weight.abs()).sum::<f64>()).abs() < 1e-15);
+        // The worst signs of accelerations at the stages, which no larger ones reach.
+        let stage = |j: usize| E5.iter().zip(&A).map(|(weight, row)| weight * row[j]).sum::<f64>();
+        let worst: f64 = (0..E5.len()).map(|j| stage(j).abs()).sum();
+        let most: f64 = (0..E5.len())
+            .map(|j| E5.iter().zip(&A).map(|(weight, row)| (weight * row[j]).abs()).sum::<f64>())
+            .sum();
+        assert!(worst < q && (q - most).abs() < 1e-13, "{worst} {q} {most}");
+    }
+
+    #[test]
+    fn errors_that_a_short_step_keeps_are_those_of_a_jump() {
+        let ([q, v], h) = (bounds(), 1e-7);
+        // It has to fall faster than the length.
+        assert_eq!(unavoidable(|_, _| 0.0, h, 1e-7), [0.0; 2]);
+        assert_eq!(unavoidable(|_, _| 0.0, h, 3e-7), [q * h * h * 3e-7, v * h * 3e-7]);
+        // Not yet as short as the tolerance asks for.
+        assert_eq!(unavoidable(|_, _| 0.0, 1e-5, 1.0), [0.0; 2]);
+    }
+
+    #[test]
+    fn roundings_show_at_both_ends_of_a_step() {
+        let h = 0.5;
+        // The force is a steep function of the coordinate at the start, and 1e4 times less so at the end,
+        // where it is another one, too.
+        let law = |t: f64, q: f64| 1e3 * t + if t == 0.0 { 1e8 } else { 1e4 } * (q - 1.0);
+        let [_, found] = unavoidable(law, h, 0.0);
+        // Three ulps at the end, of the coordinate and of its change.
+        let expected = bounds()[1] * h * 1e4 * 3.0 * f64::EPSILON;
+        assert!((found / expected - 1.0).abs() < 1e-2, "{found:e} {expected:e}");
+    }
+}

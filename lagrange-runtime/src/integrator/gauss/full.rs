@@ -124,3 +124,31 @@ fn eliminate<R: Ordered, const N: usize, const STAGES: usize>(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linear::samples::Noise;
+
+    #[test]
+    fn rows_of_all_stages_are_eliminated_with_pivots() {
+        let mut noise = Noise(11);
+        for is_zero in [false, true] {
+            let mut rows: Rows<f64, 2, 3> = [[[[0.0; 2]; 3]; 2]; 3];
+            rows.as_flattened_mut().iter_mut().for_each(|row| *row = [(); 3].map(|()| noise.vector()));
+            if is_zero {
+                // Without an exchange of rows the first pivot is zero.
+                rows[0][0][0][0] = 0.0;
+            }
+            let wanted: [[f64; 2]; 3] = [(); 3].map(|()| noise.vector());
+            let product = |row: &Row<f64, 2, 3>| -> f64 {
+                row.as_flattened().iter().zip(wanted.as_flattened()).map(|(a, x)| a * x).sum()
+            };
+            let mut right = rows.map(|stage| stage.map(|row| product(&row)));
+            eliminate(&mut rows, &mut right);
+            for (found, expected) in right.as_flattened().iter().zip(wanted.as_flattened()) {
+                assert!((found - expected).abs() < 1e-12, "{right:?} {wanted:?}");
+            }
+        }
+    }
+}

@@ -268,3 +268,37 @@ fn a_step_of_no_length_goes_nowhere() {
     let start = pericentre(0.5);
     assert_eq!(Gauss8::step(&mut None, &Kepler, &(), &start, 0.0, &[]), Ok(start));
 }
+
+#[test]
+fn accelerations_go_on_as_a_polynomial() {
+    // Of degree two, for three stages.
+    let polynomial = |x: f64| 1.0 - 2.0 * x + 3.0 * x * x;
+    let Collocation { c, .. } = GAUSS6;
+    let nothing = Start { state: State::new([0.0], [0.0]), lost_q: [0.0], lost_v: [0.0] };
+    let last = LastStep { h: 0.1, u: [7.0], a: c.map(|node| [polynomial(node)]), end: nothing };
+    let found = last.extrapolated(&c, 0.13, &[7.0]).unwrap();
+    for (found, node) in found.iter().zip(c) {
+        assert!((found[0] - polynomial(1.0 + 1.3 * node)).abs() < 1e-13, "{found:?}");
+    }
+    // Neither further out, nor back, nor under other inputs.
+    for (h, u) in [(0.3, 7.0), (-0.1, 7.0), (0.1, 8.0)] {
+        assert_eq!(last.extrapolated(&c, h, &[u]), None, "{h} {u}");
+    }
+}
+
+#[test]
+fn the_middle_of_a_step_is_its_average() {
+    let (state, h) = (pericentre(0.3).at_time(2.0), 1e-3);
+    let from = Start { state, lost_q: [0.0; 2], lost_v: [0.0; 2] };
+    let stages = Stages::new(&Kepler, &(), &GAUSS6, &from, h, &[]);
+    let a = [[0.5, -2.0]; 3];
+    let (middle, average) = stages.middle(&a);
+    assert_eq!(middle.t, 2.0 + 0.5e-3);
+    for i in 0..2 {
+        assert!((average[i] - a[0][i]).abs() < 1e-14);
+        // Under a constant acceleration.
+        assert!((middle.v[i] - (state.v[i] + 0.5 * h * a[0][i])).abs() < 1e-15);
+        let q = state.q[i] + 0.5 * h * state.v[i] + h * h * a[0][i] / 6.0;
+        assert!((middle.q[i] - q).abs() < 1e-15);
+    }
+}

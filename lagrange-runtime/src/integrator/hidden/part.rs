@@ -123,6 +123,8 @@ impl<R: Real, V: Fn(R) -> R> Part<'_, R, V> {
             let part = if tried % 3 == 0 { half } else { above / (above - below) };
             let theta = (high - part * apart).where_positive(active, self.end);
             let value = (self.of.value_at)(theta) - level;
+            // Zero itself counts as a value on the side of `above`, so that it stays in the bracket.
+            let value = value.where_positive(value.abs(), value + R::epsilon() * above);
             let opposite = -(value * above);
             below = above.where_positive(opposite, below * half);
             low = high.where_positive(opposite, low);
@@ -201,4 +203,18 @@ fn cubic<R: Real>(values: &[R], part: f64) -> R {
         (part + 1.0) * part * (part - 1.0) / 6.0,
     ];
     values.iter().zip(weights).fold(R::zero(), |sum, (&value, weight)| sum + R::from_f64(weight) * value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cubic;
+
+    #[test]
+    fn a_cubic_polynomial_is_its_own_interpolation() {
+        let value = |x: f64| 1.0 - 2.0 * x + 3.0 * x * x - 0.5 * x * x * x;
+        let values = [-1.0, 0.0, 1.0, 2.0].map(value);
+        for part in [0.0, 0.2, 0.618, 1.0] {
+            assert!((cubic(&values, part) - value(part)).abs() < 1e-14, "{part}");
+        }
+    }
 }

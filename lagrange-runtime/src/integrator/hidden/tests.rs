@@ -82,3 +82,22 @@ fn an_argument_that_comes_back_between_two_places_is_met_where_it_passes_zero() 
     let near = |place: f64| found.iter().filter(|&&theta| (theta - place).abs() < 1e-4).count();
     assert!([0.51, 0.52, 0.53].into_iter().all(|place| near(place) >= 2), "{found:?}");
 }
+
+#[test]
+fn the_zero_of_a_root_is_met_on_both_sides() {
+    for place in [0.05, 0.31, 0.5, 0.93] {
+        for value in [|t: f64| t, |t: f64| t.powi(3), |t: f64| t.exp_m1(), |t: f64| -t * (3.0 + t)] {
+            let along = |t: f64| value(t - place);
+            let found = visited(Hidden::Root, along);
+            // Beside each other, up to what time resolves.
+            let are_beside = |pair: &[f64]| {
+                (pair[0] - pair[1]).abs() <= 2.0 * f64::EPSILON && along(pair[0]) * along(pair[1]) <= 0.0
+            };
+            assert!(
+                found.windows(2).any(are_beside),
+                "{place}: {found:?} {:?}",
+                found.iter().map(|&t| along(t)).collect::<Vec<_>>()
+            );
+        }
+    }
+}

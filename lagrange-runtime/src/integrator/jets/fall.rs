@@ -130,6 +130,9 @@ mod tests {
             let found = bounded(20, 0.5, 1.0, |order| if order == large { 1.0 } else { 0.0 });
             assert!((found - length).abs() < 1e-14, "{large}: {found}");
         }
+        // Ratios of six: the term may be the second power of that.
+        let found = bounded(20, 6.0, 1.0, |order| if order == 18 { 72.0 } else { 0.0 });
+        assert!((found - 0.5_f64.powf(1.0 / 18.0)).abs() < 1e-14, "{found}");
     }
 
     #[test]

@@ -47,14 +47,21 @@ mod tests {
     #[test]
     fn vectors_are_orthonormal_and_annihilated() {
         let mass = [[2.0, 0.3, 0.0], [0.3, 50.0, 0.0], [0.0, 0.0, 0.5]];
-        let a = [[1.0, -2.0, 0.5], [2.0, -4.0, 1.0]];
-        let space = TangentSpace::new(&mass, &a);
-        assert_eq!(space.count, 2);
-        for (k, z) in space.vectors[..2].iter().enumerate() {
-            assert!(a[0].iter().zip(z).map(|(a, z)| a * z).sum::<f64>().abs() < 1e-15);
-            for (l, y) in space.vectors[..2].iter().enumerate() {
-                let product: f64 = (0..3).map(|i| space.metric[i] * z[i] * y[i]).sum();
-                assert!((product - f64::from(u8::from(k == l))).abs() < 1e-15);
+        // The second row depends on the first one, or does not.
+        for (second, count) in [([2.0, -4.0, 1.0], 2), ([2.0, -4.0, 3.0], 1)] {
+            let a = [[1.0, -2.0, 0.5], second];
+            let space = TangentSpace::new(&mass, &a);
+            assert_eq!(space.count, count);
+            let (vectors, rest) = space.vectors.split_at(count);
+            assert!(rest.iter().flatten().all(|&x| x == 0.0));
+            for (k, z) in vectors.iter().enumerate() {
+                for row in &a {
+                    assert!(row.iter().zip(z).map(|(a, z)| a * z).sum::<f64>().abs() < 1e-14);
+                }
+                for (l, y) in vectors.iter().enumerate() {
+                    let product: f64 = (0..3).map(|i| space.metric[i] * z[i] * y[i]).sum();
+                    assert!((product - f64::from(u8::from(k == l))).abs() < 1e-15);
+                }
             }
         }
     }
