@@ -83,3 +83,32 @@ fn excess<R: Real, const C: usize>(residuals: &Residuals<R, C>, level: Level) ->
     let pairs = residuals.values(level).iter().zip(residuals.sizes(level));
     pairs.fold(-R::one(), |most, (&value, &size)| most.max(value.abs() - ulps * size))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::constraints::samples::Rod;
+
+    #[test]
+    fn a_lane_is_brought_back_to_both_levels_or_told_to_be_off() {
+        // Lanes are numbers of their own here: one.
+        for off in [0.0, 1e-12, 1e-6, 1e-3] {
+            let mut state = State::new([0.6 + off, -0.8 + off], [0.8 + off, 0.6 - 2.0 * off]);
+            let landed = land_apart(&Rod, &(), &mut state, &[]).unwrap();
+            let Residuals { positions, rates, .. } = Rod.residuals_at(0.0, &state.q, &state.v);
+            assert!(positions[0].abs() < 1e-15 && rates[0].abs() < 1e-15, "{off}: {positions:?} {rates:?}");
+            assert!(landed.left <= 0.0 && landed.close <= 0.0, "{off}: {landed:?}");
+            assert!((state.q[0] - 0.6).abs() <= 2.0 * off + 1e-15, "{off}: {state:?}");
+        }
+        // Far off a few corrections are too few.
+        let mut far = State::new([6.0, -80.0], [0.8, 0.6]);
+        assert!(land_apart(&Rod, &(), &mut far, &[]).unwrap().left > 0.0);
+        // Beside the centre the gradient all but vanishes.
+        let mut centre = State::new([1e-3, 0.0], [0.0, 0.0]);
+        let landed = land_apart(&Rod, &(), &mut centre, &[]).unwrap();
+        assert!(landed.close > 0.0 || landed.left > 0.0, "{landed:?}");
+        // What is no number is nowhere.
+        let mut lost = State::new([f64::NAN, 0.0], [0.0, 0.0]);
+        assert!(land_apart(&Rod, &(), &mut lost, &[]).is_none());
+    }
+}

@@ -4,7 +4,7 @@ use core::cell::Cell;
 
 use super::{Equations, Footing, Residuals, Surface};
 use crate::integrator::Dop853;
-use crate::linear::Saddle;
+use crate::linear::{Diagonal, Saddle};
 use crate::number::elements::Each;
 use crate::system::System;
 use crate::system::error::Cause;
@@ -90,5 +90,58 @@ impl Surface<2, 0, 2> for Twofold {
         let length = q[0].hypot(q[1]);
         let gradients = [q.each(|x| x / length), q.each(|x| 2.0 * x)];
         (Saddle::factor(&[[1.0, 0.0], [0.0, 1.0]], &gradients), gradients)
+    }
+}
+
+/// A pendulum of length 1 with one row, ½ (x² + y² − 1) = 0.
+pub(crate) struct Rod;
+
+impl System<2> for Rod {
+    type Scalar = f64;
+    type Method = Dop853;
+    type Constants = ();
+
+    const CONSTRAINED: bool = true;
+
+    fn constants(&self) {}
+
+    fn accelerations_at(&self, (): &(), t: f64, q: &[f64; 2], v: &[f64; 2], u: &[f64; 0]) -> [f64; 2] {
+        super::accelerations(self, &(), t, q, v, u)
+    }
+
+    fn energy_at(&self, (): &(), _: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
+        0.5 * (v[0] * v[0] + v[1] * v[1]) + 9.81 * q[1]
+    }
+}
+
+impl Surface<2, 0, 1> for Rod {
+    type Saddle = Diagonal<f64, 2, 1>;
+
+    fn equations_at(
+        &self,
+        (): &(),
+        t: f64,
+        q: &[f64; 2],
+        v: &[f64; 2],
+        _: &[f64; 0],
+    ) -> Equations<Self::Saddle, f64, 2, 1> {
+        let (saddle, gradients) = self.saddle_at(t, q, v);
+        Equations { saddle, gradients, forces: [0.0, -9.81], gamma: [-(v[0] * v[0] + v[1] * v[1])] }
+    }
+
+    fn residuals_at(&self, _: f64, q: &[f64; 2], v: &[f64; 2]) -> Residuals<f64, 1> {
+        let sum =
+            |a: [f64; 2], b: [f64; 2]| [a[0] * b[0] + a[1] * b[1], (a[0] * b[0]).abs() + (a[1] * b[1]).abs()];
+        let ([square, _], [rate, size]) = (sum(*q, *q), sum(*q, *v));
+        Residuals {
+            positions: [0.5 * (square - 1.0)],
+            position_sizes: [0.5 * (square + 1.0)],
+            rates: [rate],
+            rate_sizes: [size],
+        }
+    }
+
+    fn saddle_at(&self, _: f64, q: &[f64; 2], _: &[f64; 2]) -> (Self::Saddle, [[f64; 2]; 1]) {
+        (Diagonal::factor([1.0; 2], &[*q]), [*q])
     }
 }

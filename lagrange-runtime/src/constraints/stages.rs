@@ -294,6 +294,7 @@ mod tests {
 
     use super::*;
     use crate::constraints::samples::Twofold;
+    use crate::linear::Saddle;
 
     /// The acceleration of a pendulum along its rod is v², and across it that of gravity.
     fn expected(q: [f64; 2], v: [f64; 2]) -> [f64; 2] {
@@ -323,6 +324,19 @@ mod tests {
         for v in [[0.0, 0.0], [0.6, 0.8]] {
             let state = State::new([0.8, -0.6], v);
             assert_eq!(check(&rod, &state, rod.saddle_at(0.0, &state.q, &state.v)), Ok(()), "{v:?}");
+        }
+    }
+
+    #[test]
+    fn a_gradient_that_is_small_beside_how_fast_it_changes_may_vanish() {
+        let (q, v, gamma) = ([3.0, 0.0], [2.0, 0.0], 5.0);
+        // |γ| / speed² is how fast the gradient changes along the way, which leads through the coordinates.
+        let bound = CLEAR * 3.0 * gamma / 4.0;
+        for (part, may) in [(0.9, true), (1.1, false)] {
+            let gradients = [[part * bound, 0.0]];
+            let saddle = Saddle::factor(&[[1.0, 0.0], [0.0, 1.0]], &gradients);
+            let equations = Equations { saddle, gradients, forces: [0.0; 2], gamma: [-gamma] };
+            assert_eq!(may_vanish(&equations, &q, &v), may, "{part}");
         }
     }
 }

@@ -127,3 +127,28 @@ fn falls<R: Real, const N: usize, const P: usize>(
         begins || (last - before.max(known)).largest() <= R::zero().largest()
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn terms_that_grow_beyond_rounding_errors_are_no_series_of_a_motion() {
+        let at = State::new([1.0], [1.0]);
+        let series = |size: f64, growth: f64| {
+            let mut series = Series::<f64, 1, 6>::default();
+            for order in 1..=6 {
+                let term = size * growth.powi(order as i32);
+                series.set(order, [term], [term]);
+            }
+            series
+        };
+        assert!(is_sound(&series(1e-3, 0.5), &at) && !is_sound(&series(1e-3, 2.0), &at));
+        // Rounding errors of the state may grow.
+        assert!(is_sound(&series(1e-3 * f64::EPSILON, 2.0), &at));
+        // Independent rows that all but depend on each other determine no motion.
+        let mut undetermined = series(1e-3, 0.5);
+        undetermined.independence.least = 1e-7;
+        assert!(!is_sound(&undetermined, &at));
+    }
+}

@@ -93,8 +93,7 @@ pub(crate) fn near_roots<R: Real, const N: usize>(
 
 #[cfg(test)]
 mod tests {
-    use super::{between, dips};
-    use crate::system::state::State;
+    use super::*;
 
     #[test]
     fn roots_that_pass_or_touch_zero_come_near_it() {
@@ -114,6 +113,34 @@ mod tests {
         for part in [0.25, 0.5, 0.75] {
             let [found, expected] = [between([&at(0.5), &at(2.0)], 1.5, part), at(0.5 + 1.5 * part)];
             assert!((found.q[0] - expected.q[0]).abs() < 1e-14 && (found.v[0] - expected.v[0]).abs() < 1e-14);
+        }
+    }
+
+    /// A root with these values at the places of a step.
+    struct Along([f64; PLACES]);
+
+    impl Hiding<f64, 1> for Along {
+        fn along<const COUNT: usize>(
+            &self,
+            states: &[State<f64, 1>; COUNT],
+            mut visit: impl FnMut(Hidden, [f64; COUNT]),
+        ) {
+            visit(Hidden::Root, states.map(|state| self.0[state.q[0].round() as usize]));
+        }
+    }
+
+    #[test]
+    fn roots_that_vary_too_fast_for_the_places_may_be_zero_between_them() {
+        for (values, is_near) in [
+            ([1.0, 1.2, 1.4, 1.6, 1.8], false),
+            ([1.0, 1.2, 1.5, 1.5, 1.5], true),
+            // What varies little does not reach zero.
+            ([1.0, 1.05, 1.0, 1.05, 1.0], false),
+            ([2.0, 1.5, 0.8, 0.05, -0.5], true),
+        ] {
+            let [start, end] = [0.0, 4.0].map(|q| State { t: q, q: [q], v: [1.0] });
+            let near = near_roots(&Along(values), [&start, &end], 4.0);
+            assert_eq!(near > 0.0, is_near, "{values:?}: {near}");
         }
     }
 }

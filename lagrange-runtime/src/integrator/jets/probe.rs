@@ -175,3 +175,21 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
         faults_along(&passage, self.start, |theta, state, _| faults_at(theta, state))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stops_are_where_velocities_pass_zero() {
+        let stop = |v: &dyn Fn(f64) -> f64| stops(&[v(0.0)], &[v(1.0)], |part| [v(part)])[0];
+        assert_eq!(stop(&|part| 1.0 + part), None);
+        assert_eq!(stop(&|part| 1.0 - 4.0 * part), Some(0.25));
+        // One more secant, to either side of the first one.
+        let zero = 0.5_f64.cbrt();
+        for v in [|part: f64| 1.0 - 2.0 * part.powi(3), |part: f64| 2.0 * part.powi(3) - 1.0] {
+            assert!((stop(&v).unwrap() - zero).abs() < 0.1);
+            assert!((stop(&|part| v(1.0 - part)).unwrap() - (1.0 - zero)).abs() < 0.1);
+        }
+    }
+}

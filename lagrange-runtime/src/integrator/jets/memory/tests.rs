@@ -47,6 +47,15 @@ fn every_way_into_a_step_leads_to_the_same_states() {
 }
 
 #[test]
+fn a_step_that_is_turned_about_leads_to_the_same_states() {
+    let (mut turned, memory) = (backward(), backward());
+    turned.turn();
+    for theta in [-1.0, 0.5, 1.5] {
+        assert_eq!(turned.state_at(theta), memory.state_at(-theta), "{theta}");
+    }
+}
+
+#[test]
 fn times_are_told_apart_in_the_direction_of_the_step() {
     let memory = backward();
     for (t, covers, ahead) in
