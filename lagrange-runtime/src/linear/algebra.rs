@@ -255,6 +255,8 @@ mod tests {
         assert!(near(*rotation_matrix(&quaternion).matrix(), *matrix.matrix()));
         assert!(near(*rotation_matrix(&&pose).matrix(), *matrix.matrix()));
         assert_eq!(rotation_matrix(&matrix), matrix);
+        let (turned, expected) = (rotation_matrix(&UnitComplex::new(0.4_f64)), Rotation2::new(0.4));
+        assert!((turned.matrix() - expected.matrix()).norm() < 1e-15);
         assert!((angle(&UnitComplex::new(2.5_f64)) - 2.5).abs() < 1e-15);
         assert!((angle(&Rotation2::new(-2.5_f64)) + 2.5).abs() < 1e-15);
     }

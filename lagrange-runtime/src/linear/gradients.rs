@@ -187,3 +187,16 @@ impl<R: Real, const N: usize, const C: usize, const A: usize> Gradients<R, N, C>
         rows
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn forces_that_constraints_bear_add_up_whatever_their_signs() {
+        let rows = [[1.0, -2.0, 0.0], [-3.0, 0.5, 4.0]];
+        assert_eq!(rows.borne(&[2.0, -10.0]), [32.0, 9.0, 40.0]);
+        assert_eq!(rows.rates(&[1.0, 2.0, 3.0]), [-3.0, 10.0]);
+        assert_eq!(rows.slopes(&[1.0, 2.0, 3.0]), [5.0, 16.0]);
+    }
+}

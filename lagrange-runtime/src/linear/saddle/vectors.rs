@@ -192,4 +192,22 @@ mod tests {
         assert_eq!(best(&[1.0, 3.0, 2.0], 5.0), 1);
         assert_eq!(best(&[3.0, 1.0, 2.0], 5.0), 0);
     }
+
+    #[test]
+    fn a_number_is_none_where_its_excess_is_not_positive() {
+        assert_eq!(where_positive(3.0, 1e-300), Some(3.0));
+        assert_eq!((where_positive(3.0, 0.0), where_positive(3.0, -1.0)), (None, None));
+    }
+
+    #[cfg(feature = "wide")]
+    #[test]
+    fn lanes_without_a_positive_excess_are_no_numbers() {
+        use crate::number::real::Lanes;
+        use wide::f64x4;
+
+        let excess = Lanes::from([2.0, 0.0, -1.0, 1e-3]);
+        let found: [f64; 4] = where_positive(Lanes::<f64x4>::splat(3.0), excess).unwrap().into();
+        assert_eq!([found[0], found[3]], [3.0; 2]);
+        assert!(found[1].is_nan() && found[2].is_nan(), "{found:?}");
+    }
 }
