@@ -1,4 +1,4 @@
-//! A constrained system written by hand, which counts its evaluations.
+//! Constrained systems written by hand.
 
 use core::cell::Cell;
 
@@ -143,5 +143,68 @@ impl Surface<2, 0, 1> for Rod {
 
     fn saddle_at(&self, _: f64, q: &[f64; 2], _: &[f64; 2]) -> (Self::Saddle, [[f64; 2]; 1]) {
         (Diagonal::factor([1.0; 2], &[*q]), [*q])
+    }
+}
+
+/// A point that slides along x, under y = 0 and y + x z = 0: rows that depend on each other at x = 0.
+pub(crate) struct Fold;
+
+impl System<3> for Fold {
+    type Scalar = f64;
+    type Method = Dop853;
+    type Constants = ();
+
+    const CONSTRAINED: bool = true;
+    const COUPLED: bool = true;
+
+    fn constants(&self) {}
+
+    fn accelerations_at(&self, (): &(), t: f64, q: &[f64; 3], v: &[f64; 3], u: &[f64; 0]) -> [f64; 3] {
+        super::accelerations(self, &(), t, q, v, u)
+    }
+
+    fn land_at(
+        &self,
+        constants: &(),
+        state: &mut State<f64, 3>,
+        inputs: Option<&[f64; 0]>,
+    ) -> Result<Footing<f64, 3>, Cause> {
+        super::land(self, constants, state, inputs)
+    }
+
+    fn energy_at(&self, (): &(), _: f64, _: &[f64; 3], v: &[f64; 3]) -> f64 {
+        0.5 * v.iter().map(|v| v * v).sum::<f64>()
+    }
+}
+
+impl Surface<3, 0, 2> for Fold {
+    type Saddle = Saddle<f64, 3, 2>;
+
+    fn equations_at(
+        &self,
+        (): &(),
+        t: f64,
+        q: &[f64; 3],
+        v: &[f64; 3],
+        _: &[f64; 0],
+    ) -> Equations<Self::Saddle, f64, 3, 2> {
+        let (saddle, gradients) = self.saddle_at(t, q, v);
+        Equations { saddle, gradients, forces: [0.0; 3], gamma: [0.0, -2.0 * v[0] * v[2]] }
+    }
+
+    fn residuals_at(&self, _: f64, &[x, y, z]: &[f64; 3], v: &[f64; 3]) -> Residuals<f64, 2> {
+        let (along, across) = (z * v[0], v[1] + x * v[2]);
+        Residuals {
+            positions: [y, y + x * z],
+            position_sizes: [y.abs(), y.abs() + (x * z).abs()],
+            rates: [v[1], across + along],
+            rate_sizes: [v[1].abs(), v[1].abs() + (x * v[2]).abs() + along.abs()],
+        }
+    }
+
+    fn saddle_at(&self, _: f64, &[x, _, z]: &[f64; 3], _: &[f64; 3]) -> (Self::Saddle, [[f64; 3]; 2]) {
+        let gradients = [[0.0, 1.0, 0.0], [z, 1.0, x]];
+        let mass = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        (Saddle::factor(&mass, &gradients), gradients)
     }
 }

@@ -367,24 +367,4 @@ where
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_has_been_determined_stays_so() {
-        let of = |rank, least| Independence { rank, least, ..Independence::<f64>::clear(3) };
-        // Two of three rows depend on each other at the start, and no longer later on.
-        let mut determined = Determined::at_start(&of(2, 1.0));
-        assert!(determined.accepts(&of(2, 0.1)) && !determined.accepts(&of(1, 1.0)));
-        determined.learn(&of(3, 1.0));
-        assert!(determined.accepts(&of(3, 0.1)) && !determined.accepts(&of(2, 1.0)));
-        // Rows that were nearly dependent from the beginning may come a little closer, until they have been
-        // far apart.
-        let mut determined = Determined::at_start(&of(3, 1e-6));
-        assert!(determined.accepts(&of(3, 3e-7)) && !determined.accepts(&of(3, 1e-7)));
-        determined.learn(&of(3, 8e-7));
-        assert!(determined.accepts(&of(3, 3e-7)) && !determined.accepts(&of(3, 2.2e-7)));
-        determined.learn(&of(3, 0.5));
-        assert!(!determined.accepts(&of(3, 1e-5)));
-    }
-}
+mod tests;
