@@ -1,5 +1,7 @@
 //! N06: Housner's rocking block, which switches from corner to corner, and a box that rocks on a plank.
 
+use std::marker::PhantomData;
+
 use lagrangian::Contact;
 use lagrangian::prelude::*;
 
@@ -7,49 +9,50 @@ use super::TIGHT;
 use crate::support::close::close_on;
 use crate::support::sample::Samples;
 
-struct Block;
-
-const HALF: [f64; 2] = [0.2, 0.5];
+struct Block<R>(PhantomData<R>);
 
 #[lagrangian(coordinates = [x, y, theta])]
-impl Block {
+impl<R: Real> Block<R> {
     #[body(mass = 1.0, inertia = (0.2 * 0.2 + 0.5 * 0.5) / 3.0)]
-    fn block(&self, q: &Coordinates) -> Isometry2<f64> {
-        Isometry2::new(Vector2::new(q.x, q.y), q.theta)
+    fn block(&self, q: &Coordinates<R>) -> (Vector2<R>, R) {
+        (Vector2::new(q.x, q.y), q.theta)
     }
 
-    fn corner(&self, q: &Coordinates, side: f64) -> Vector2<f64> {
-        let turn = Rotation2::new(q.theta);
-        Vector2::new(q.x, q.y) + turn * Vector2::new(side * 0.2, -0.5)
+    fn corner(&self, q: &Coordinates<R>, side: R) -> Vector2<R> {
+        let (sin, cos) = (q.theta.sin(), q.theta.cos());
+        Vector2::new(q.x + cos * side * 0.2 + sin * 0.5, q.y + sin * side * 0.2 - cos * 0.5)
     }
 
     #[potential]
-    fn weight(&self, q: &Coordinates) -> f64 {
+    fn weight(&self, q: &Coordinates<R>) -> R {
         9.81 * q.y
     }
 
     #[unilateral]
-    fn corners(&self, q: &Coordinates) -> [f64; 2] {
+    fn corners(&self, q: &Coordinates<R>) -> [R; 2] {
         [self.corner(q, -1.0).y, self.corner(q, 1.0).y]
     }
 
     #[friction(coefficient = 10.0, normal = corners)]
-    fn slips(&self, q: &Coordinates, v: &Velocities) -> [f64; 2] {
+    fn slips(&self, q: &Coordinates<R>, v: &Velocities<R>) -> [R; 2] {
         [-1.0, 1.0].map(|side| v.x - (q.theta.sin() * side * 0.2 - q.theta.cos() * 0.5) * v.theta)
     }
 }
 
 /// Tilted about its right corner.
-fn tilted(angle: f64) -> State<f64, 3> {
-    let (sin, cos) = angle.sin_cos();
-    State::at_rest([-(cos * HALF[0] - sin * HALF[1]), sin * HALF[0] + cos * HALF[1], -angle].map(|x: f64| x))
+fn tilted<R: Real>(angle: R) -> State<R, 3> {
+    // Decimals of a description have all digits of its scalar, and so have quotients of whole numbers.
+    let ((sin, cos), [width, height]) =
+        (angle.sin_cos(), [2.0, 5.0].map(|half| R::from_f64(half) / R::from_f64(10.0)));
+    State::new([-(cos * width - sin * height), sin * width + cos * height, -angle], [R::zero(); 3])
 }
+
+/// Six tenths of the angle at which it falls over \[rad].
+const ANGLE: f64 = 0.22830382626741894;
 
 #[test]
 fn a_block_rocks_from_corner_to_corner_and_stands() {
-    let angle = 0.22830382626741894;
-    let start = tilted(angle);
-    let mut motion = Block.simulate(start).with_tolerance(TIGHT);
+    let mut motion = Block(PhantomData).simulate(tilted(ANGLE)).with_tolerance(TIGHT);
     let impacts = [
         (0.42525069704209145, 1.0151999386126647),
         (0.9290969992161432, 0.8051585720031478),
@@ -69,6 +72,18 @@ fn a_block_rocks_from_corner_to_corner_and_stands() {
     assert_eq!(motion.contacts().corners, [Contact::Closed; 2]);
     close_on(1.0, state.q[2], 0.0, 1e-12);
     close_on(1.0, state.q[1], 0.5, 1e-12);
+}
+
+#[cfg(feature = "double-double")]
+#[test]
+fn the_digits_of_a_rocking_block_are_true() {
+    use crate::support::digits::{agree, at_switches};
+
+    let double = at_switches!(Block(PhantomData), tilted(ANGLE), TIGHT, 12);
+    let [coarse, fine] = [1e-22, 1e-27].map(|tolerance| {
+        at_switches!(Block(PhantomData), tilted(lagrangian::DoubleDouble::from(ANGLE)), tolerance.into(), 12)
+    });
+    agree(&double, [&coarse, &fine], [TIGHT, 1e-22]);
 }
 
 /// A plank on a pivot, which a torque holds against a stop, and a box that is set down on it tilted.

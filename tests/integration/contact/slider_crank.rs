@@ -10,8 +10,8 @@ use lagrangian::prelude::*;
 use super::TIGHT;
 use crate::support::close::{all_close, close};
 
-struct Mechanism {
-    friction: f64,
+struct Mechanism<R> {
+    friction: R,
 }
 
 /// Lengths of crank and rod; halves of the slider's length and height; half the height of the guide \[m].
@@ -21,58 +21,63 @@ const HALF: [f64; 2] = [0.05, 0.025];
 const GUIDE: f64 = 0.026;
 
 #[lagrangian(coordinates = [crank, rod, slider])]
-impl Mechanism {
-    fn pin(&self, q: &Coordinates) -> Vector2<f64> {
-        CRANK * Vector2::new(q.crank.cos(), q.crank.sin())
+impl<R: Real> Mechanism<R> {
+    fn pin(&self, q: &Coordinates<R>) -> Vector2<R> {
+        Vector2::new(q.crank.cos(), q.crank.sin()) * R::from_f64(CRANK)
     }
 
-    fn along_rod(&self, q: &Coordinates) -> Vector2<f64> {
-        ROD * Vector2::new(q.rod.cos(), q.rod.sin())
+    fn along_rod(&self, q: &Coordinates<R>) -> Vector2<R> {
+        Vector2::new(q.rod.cos(), q.rod.sin()) * R::from_f64(ROD)
     }
 
     #[body(mass = 0.038, inertia = 7.4e-5)]
-    fn first(&self, q: &Coordinates) -> Isometry2<f64> {
-        Isometry2::new(0.5 * self.pin(q), q.crank)
+    fn first(&self, q: &Coordinates<R>) -> (Vector2<R>, R) {
+        (self.pin(q) * 0.5, q.crank)
     }
 
     #[body(mass = 0.038, inertia = 5.9e-4)]
-    fn second(&self, q: &Coordinates) -> Isometry2<f64> {
-        Isometry2::new(self.pin(q) + 0.5 * self.along_rod(q), q.rod)
+    fn second(&self, q: &Coordinates<R>) -> (Vector2<R>, R) {
+        (self.pin(q) + self.along_rod(q) * 0.5, q.rod)
     }
 
     #[body(mass = 0.076, inertia = 2.7e-6)]
-    fn third(&self, q: &Coordinates) -> Isometry2<f64> {
-        Isometry2::new(self.pin(q) + self.along_rod(q), q.slider)
+    fn third(&self, q: &Coordinates<R>) -> (Vector2<R>, R) {
+        (self.pin(q) + self.along_rod(q), q.slider)
     }
 
     #[potential]
-    fn weight(&self, q: &Coordinates) -> f64 {
+    fn weight(&self, q: &Coordinates<R>) -> R {
         let (pin, rod) = (self.pin(q).y, self.along_rod(q).y);
         9.81 * (0.038 * 0.5 * pin + 0.038 * (pin + 0.5 * rod) + 0.076 * (pin + rod))
     }
 
     /// Two at the upper side of the guide, two at the lower one.
     #[unilateral(restitution = 0.4)]
-    fn corners(&self, q: &Coordinates) -> [f64; 4] {
-        let y = self.third(q).translation.y;
-        let (lever, height) = (HALF[0] * q.slider.sin(), HALF[1] * q.slider.cos());
+    fn corners(&self, q: &Coordinates<R>) -> [R; 4] {
+        let y = self.third(q).0.y;
+        let (lever, height) = (R::from_f64(HALF[0]) * q.slider.sin(), R::from_f64(HALF[1]) * q.slider.cos());
         [
-            GUIDE - (y - lever + height),
-            GUIDE - (y + lever + height),
-            GUIDE + (y - lever - height),
-            GUIDE + (y + lever - height),
+            R::from_f64(GUIDE) - (y - lever + height),
+            R::from_f64(GUIDE) - (y + lever + height),
+            R::from_f64(GUIDE) + (y - lever - height),
+            R::from_f64(GUIDE) + (y + lever - height),
         ]
     }
 
     #[friction(coefficient = self.friction, normal = corners)]
-    fn slips(&self, q: &Coordinates, v: &Velocities) -> [f64; 4] {
-        let x = -CRANK * q.crank.sin() * v.crank - ROD * q.rod.sin() * v.rod;
-        let (lever, height) = (HALF[0] * q.slider.sin() * v.slider, HALF[1] * q.slider.cos() * v.slider);
+    fn slips(&self, q: &Coordinates<R>, v: &Velocities<R>) -> [R; 4] {
+        let x = -R::from_f64(CRANK) * q.crank.sin() * v.crank - R::from_f64(ROD) * q.rod.sin() * v.rod;
+        let (lever, height) = (
+            R::from_f64(HALF[0]) * q.slider.sin() * v.slider,
+            R::from_f64(HALF[1]) * q.slider.cos() * v.slider,
+        );
         [x + lever - height, x - lever - height, x + lever + height, x - lever + height]
     }
 }
 
-const START: State<f64, 3> = State { t: 0.0, q: [0.0; 3], v: [150.0, -75.0, 0.0] };
+fn start<R: Real>() -> State<R, 3> {
+    State::new([R::zero(); 3], [150.0, -75.0, 0.0].map(R::from_f64))
+}
 
 /// A time at which the slider strikes, and the rates of crank and rod after it.
 type Impact = (f64, [f64; 2]);
@@ -80,8 +85,8 @@ type Impact = (f64, [f64; 2]);
 /// Follows the mechanism for 0.2 s. The first impacts are compared with these; returns the end.
 fn follow(friction: f64, expected: &[Impact]) -> State<f64, 3> {
     let mechanism = Mechanism { friction };
-    let mut motion = mechanism.simulate(START).with_tolerance(TIGHT);
-    let (mut energy, mut impacts) = (mechanism.energy(&START), 0);
+    let mut motion = mechanism.simulate(start()).with_tolerance(TIGHT);
+    let (mut energy, mut impacts) = (mechanism.energy(&start()), 0);
     while let Some(switch) = motion.advance_to_switch(0.2).unwrap() {
         let [before, after] = [switch.before, switch.state].map(|state| mechanism.energy(&state));
         if friction == 0.0 {
@@ -137,4 +142,18 @@ fn friction_in_the_guide_slows_the_mechanism() {
     );
     // The last of infinitely many impacts are lost in the rounding errors of a gap, and so is their friction.
     all_close(end.q, [18.083_678_652_340_58, 0.352_482_196_174_327_2, 0.0], 1e-7);
+}
+
+#[cfg(feature = "double-double")]
+#[test]
+fn the_digits_of_the_mechanism_are_true() {
+    use crate::support::digits::{agree, at_switches};
+
+    let double = at_switches!(Mechanism { friction: 0.01 }, start(), TIGHT, 8);
+    let [coarse, fine] = [1e-22, 1e-27].map(|tolerance| {
+        let friction = lagrangian::DoubleDouble::from(0.01);
+        at_switches!(Mechanism { friction }, start(), tolerance.into(), 8)
+    });
+    // Flights become shorter and shorter, and an ulp of time an ever larger part of one.
+    agree(&double, [&coarse, &fine], [1e-11, 1e-20]);
 }

@@ -4,4 +4,6 @@ mod kinked;
 mod narrow;
 mod orbit;
 mod own_bounces;
+#[cfg(feature = "double-double")]
+mod random;
 mod swings;

@@ -3,6 +3,8 @@
 pub mod close;
 pub mod constrained;
 pub mod difference;
+#[cfg(feature = "double-double")]
+pub mod digits;
 pub mod dual;
 pub mod identities;
 pub mod motion;
