@@ -34,15 +34,20 @@ pub fn deviation<const N: usize>(
         assert!(numbers.iter().all(|x| x.is_finite()));
         numbers.iter().fold(0.0, |most: f64, x| most.max(x.high().abs()))
     };
-    let kinds: [fn(&State<DoubleDouble, N>) -> Vec<DoubleDouble>; 3] =
-        [|state| vec![state.t], |state| state.q.to_vec(), |state| state.v.to_vec()];
-    let deviations = kinds.map(|kind| {
-        let [found, expected] =
-            [found, expected].map(|states| states.iter().flat_map(kind).collect::<Vec<_>>());
-        let apart = found.iter().zip(&expected).map(|(&a, &b)| a - b).collect();
+    let numbers = |states: &[State<DoubleDouble, N>], kind| -> Vec<DoubleDouble> {
+        let of = |state: &State<DoubleDouble, N>| match kind {
+            0 => vec![state.t],
+            1 => state.q.to_vec(),
+            _ => state.v.to_vec(),
+        };
+        states.iter().flat_map(of).collect()
+    };
+    let deviations = (0..3).map(|kind| {
+        let expected = numbers(expected, kind);
+        let apart = numbers(found, kind).iter().zip(&expected).map(|(&a, &b)| a - b).collect();
         largest(apart) / largest(expected)
     });
-    deviations.into_iter().fold(0.0, f64::max)
+    deviations.fold(0.0, f64::max)
 }
 
 /// Asserts that a motion at a tolerance of 1e-13, and one of 31 digits at 1e-22, are those of 31 digits at
