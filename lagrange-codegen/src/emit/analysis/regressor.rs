@@ -48,7 +48,8 @@ pub(super) fn items(emission: &mut Emission<'_>) -> String {
     text.push_str("#[allow(unused_variables)]\n");
     text.push_str(&method(
         "Regressor Y(q, v, a, t) with Y π = M a + b: a row for each coordinate, a column for each lumped \
-         parameter. It has inertia and what a potential or Lagrangian gives; damping and `#[force]` functions are not in it.",
+         parameter. It has inertia and what a potential or Lagrangian gives; damping and `#[force]` functions \
+         are not in it.",
         &signature,
         &body,
     ));
